@@ -17,6 +17,12 @@ struct AerosolShape {
   double stratospheric_aod500 = 0.005;
   double stratospheric_centre_km = 19.0;  ///< altitude of its maximum; Gaussian
   double stratospheric_width_km = 4.0;    ///< its standard deviation
+
+  /// Part of the optical depth between two altitudes, of an atmosphere that ends at top_km; 1 over all.
+  double part_between(double lower_km, double upper_km, double top_km, double aod500) const;
+
+  /// Its derivative: extinction at one altitude per unit of optical depth, 1/km.
+  double density_per_km(double altitude_km, double top_km, double aod500) const;
 };
 
 /// What aerosol does to light, per unit of optical depth. The default is rural aerosol.
