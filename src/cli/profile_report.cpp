@@ -72,10 +72,14 @@ double total_of(const std::vector<ConstituentDepth>& depths) {
 }
 
 std::string heading(const AirOptions& options, const Profile& profile) {
+  const std::string continued =
+      profile.described_top_km < profile.altitude_km.back()
+          ? fmt::format(", continued to {:g} km with the 1976 standard's shape", profile.altitude_km.back())
+          : "";
   return fmt::format(
-      "{}: {}\n  source: {}\n  described to {:g} km, continued to {:g} km with the 1976 standard's shape\n"
+      "{}: {}\n  source: {}\n  described to {:g} km{}\n"
       "  gravity {:.5f} m/s2, planet radius {:g} km, ground albedo {:g}\n",
-      profile.name, profile.description, profile.source, profile.described_top_km, profile.altitude_km.back(),
+      profile.name, profile.description, profile.source, profile.described_top_km, continued,
       options.gravity_m_s2, options.planet_radius_km, options.ground_albedo);
 }
 
