@@ -44,12 +44,12 @@ TEST(Aerosol, AngstromLaw) {
 
 TEST(Aerosol, RuralPropertiesByWavelength) {
   const AerosolOptics aerosol;
-  EXPECT_NEAR(aerosol.single_scattering_albedo_at(550.0), 0.946, 1e-12);
-  EXPECT_NEAR(aerosol.asymmetry_at(550.0), 0.664, 1e-12);
-  EXPECT_NEAR(aerosol.asymmetry_at(443.55), 0.5 * (0.687 + 0.664), 1e-12);
-  EXPECT_EQ(aerosol.asymmetry_at(250.0), 0.693);
-  EXPECT_EQ(aerosol.asymmetry_at(2000.0), 0.631);
-  EXPECT_NEAR(aerosol.phase_function(550.0)->moment(1), 0.664, 1e-12);
+  EXPECT_NEAR(aerosol.single_scattering_albedo_at(550.0), 0.9462, 1e-12);
+  EXPECT_NEAR(aerosol.asymmetry_at(550.0), 0.6630, 1e-12);
+  EXPECT_NEAR(aerosol.asymmetry_at(443.55), 0.5 * (0.6865 + 0.6630), 1e-12);
+  EXPECT_EQ(aerosol.asymmetry_at(250.0), 0.6928);
+  EXPECT_EQ(aerosol.asymmetry_at(2000.0), 0.6314);
+  EXPECT_NEAR(aerosol.phase_function(550.0)->moment(1), 0.6630, 1e-12);
 }
 
 TEST(Aerosol, OutOfRangeIsRefused) {
