@@ -17,7 +17,7 @@ TEST(SolarSpectrum, IntegralOfTheSource) {
   EXPECT_NEAR(sun.integral_W_m2(297.5, 1002.5), 939.0, 0.05);
 }
 
-// Photopic illuminance outside the air is 133 klx; the spectrum at 555 nm is near 1.86 W/m²/nm.
+// SPCTRAL2 (Bird and Riordan 1986) has 1.891 at 530 nm and 1.728 at 610 nm: the maximum's flat side.
 TEST(SolarSpectrum, GreenLight) {
   EXPECT_NEAR(SolarSpectrum::load_default().irradiance_W_m2_nm(555.0, 5.0), 1.88, 0.03);
 }

@@ -79,8 +79,8 @@ TEST(Turbidity, ImpossibleValuesAreRefused) {
   EXPECT_THROW(from_aod500(-1.0, TurbidityKind::aod500, standard_air()), InputError);
 }
 
-// McClatchey and Selby's model atmospheres: β = 0.1 for 23 km and 0.37 for 5 km (α = 1.3; Iqbal 1983,
-// table 6.6.1 has 0.10 and 0.20 for "clear" 28 km and "turbid" 11 km).
+// Iqbal 1983, table 6.6.1: β = 0.1 for 28 km ("clear"), 0.2 for 11 km ("turbid"), 0.4 for 5 km ("very
+// turbid") at α = 1.3, to the digits given.
 TEST(Turbidity, McClatcheySelby) {
   EXPECT_NEAR(mcclatchey_selby_beta(28.0, 1.3), 0.10, 0.005);
   EXPECT_NEAR(mcclatchey_selby_beta(11.0, 1.3), 0.20, 0.01);
