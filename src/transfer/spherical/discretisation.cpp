@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "skylut/core/constants.hpp"
 
@@ -37,6 +38,38 @@ std::vector<int> layers_of(const ShellGeometry& layers, const ShellGeometry& sub
     layer_of.push_back(
         layers.layer_of(0.5 * (sublayers.level_km(sublayer) + sublayers.level_km(sublayer + 1))));
   return layer_of;
+}
+
+std::vector<int> parts_for(const std::vector<double>& depth, double optical_step) {
+  std::vector<int> parts;
+  for (const double layer_depth : depth) {
+    parts.push_back(1);
+    while (layer_depth > optical_step * parts.back()) parts.back() *= 2;
+  }
+  return parts;
+}
+
+/// A few splittings serve most columns, so that columns of different wavelength and load fill a block: those
+/// of a model haze (scale heights 8 and 2 km) of twice the extinction each. Takes the first that is fine
+/// enough, or the column's own where that wastes too many sublayers (an opaque layer high up).
+std::vector<int> common_parts(const Shells& shells, const std::vector<double>& depth,
+                              const std::vector<int>& own, double optical_step) {
+  const auto sum = [](const std::vector<int>& parts) {
+    return std::accumulate(parts.begin(), parts.end(), 0);
+  };
+  for (double extinction_per_km = 0.05;; extinction_per_km *= 2.0) {
+    std::vector<double> model;
+    for (std::size_t layer = 0; layer < depth.size(); ++layer) {
+      const double middle_km = 0.5 * (shells.levels_km[layer] + shells.levels_km[layer + 1]);
+      model.push_back(extinction_per_km * (0.25 * std::exp(-middle_km / 8.0) + std::exp(-middle_km / 2.0)) *
+                      layer_thickness(shells, layer));
+    }
+    const std::vector<int> parts = parts_for(model, optical_step);
+    if (sum(parts) > 2 * sum(own) + 20) return own;
+    if (std::equal(own.begin(), own.end(), parts.begin(),
+                   [](int mine, int common) { return mine <= common; }))
+      return parts;
+  }
 }
 
 /// Local solar zenith angles that carry the diffuse field: dense at the terminator, where it changes by
@@ -93,7 +126,7 @@ QualityLimits limits_of(Quality quality) {
     case Quality::draft:
       return {0.2, 0.03, 0.6, 8, false, 20.0, 2.0, 3e-3};
     case Quality::standard:
-      return {0.05, 0.012, 0.7, 10, false, 10.0, 0.5, 1e-3};
+      return {0.05, 0.015, 0.7, 10, false, 10.0, 0.5, 1e-3};
     case Quality::reference:
       return {0.02, 0.006, 0.9, 16, true, 5.0, 0.25, 1e-4};
   }
@@ -104,14 +137,14 @@ DiscretisationKey discretisation_for(const Shells& shells, const OpticalColumn& 
   const QualityLimits limits = limits_of(quality);
   DiscretisationKey key;
   key.angles = angles_for(column, limits);
-  for (std::size_t layer = 0; layer + 1 < shells.levels_km.size(); ++layer) {
-    double depth = column.extinction_depth[layer];
-    for (const Scatterer& scatterer : column.scatterers)
-      depth -= scatterer.scattering_depth[layer] * scatterer.phase->moment(key.angles.max_l + 1);
-    int parts = 1;
-    while (depth / parts > limits.optical_step) parts *= 2;
-    key.sublayers.push_back(parts);
+  std::vector<double> scaled_depth = column.extinction_depth;
+  for (const Scatterer& scatterer : column.scatterers) {
+    const double peak = scatterer.phase->moment(key.angles.max_l + 1);
+    for (std::size_t layer = 0; layer < scaled_depth.size(); ++layer)
+      scaled_depth[layer] -= scatterer.scattering_depth[layer] * peak;
   }
+  const std::vector<int> own = parts_for(scaled_depth, limits.optical_step);
+  key.sublayers = common_parts(shells, scaled_depth, own, limits.optical_step);
   return key;
 }
 
