@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skylut/core/constants.hpp"
+#include "skylut/optics/absorbing_gas.hpp"
+#include "skylut/optics/aerosol.hpp"
+#include "skylut/optics/optical_state.hpp"
+#include "skylut/profile/profile.hpp"
+
+namespace skylut {
+
+/// What a profile leaves open.
+struct AirOptions {
+  double ground_albedo = 0.2;  ///< Lambertian, [0, 1]
+  std::optional<double>
+      ozone_du;  ///< column above the ground, Dobson units, [0, 1000]; default: the profile's
+  /// Gravity at the ground; profiles are in balance under standard gravity, see Air. [9.7, 9.9].
+  double gravity_m_s2 = kStandardGravity_m_s2;
+  double planet_radius_km = kMeanEarthRadius_km;  ///< of the ground, [1000, inf]
+  AerosolOptics aerosol;
+};
+
+/// Vertical optical depth of one constituent between two altitudes.
+struct ConstituentDepth {
+  std::string name;  ///< "rayleigh", "ozone", …, "aerosol"
+  double depth = 0.0;
+};
+
+/// A profile as light sees it: layers for the transfer equation, filled for any wavelength and load.
+///
+/// Another gravity g than the standard's g0 leaves pressure and temperature at the ground as they are
+/// and stretches the air by g0/g, so that its column is p/(m g). [docs/air.md §6]
+class Air {
+ public:
+  /// @throws InputError  for options out of range (naming option and value)
+  Air(Profile profile, AirOptions options);
+
+  const Profile& profile() const { return profile_; }
+  const AirOptions& options() const { return options_; }
+
+  /// Levels from the ground to 100 km, 0.1 km apart at the ground, 20 km at the top.
+  const Shells& shells() const { return shells_; }
+
+  /// Layers of one wavelength and load. Layer depths are integrals of the continuous profile
+  /// (relative accuracy 1e-8), not level values times thickness.
+  /// @param wavelength_nm  [300, 1000]
+  /// @param aod500         total vertical aerosol optical depth above the ground at 500 nm, >= 0
+  /// @throws InputError  for values out of range
+  OpticalColumn column(double wavelength_nm, double aod500) const;
+
+  /// Optical depth of every constituent above an altitude of the shells, in the order Rayleigh,
+  /// absorbing gases, aerosol. @param altitude_km  [0, top]
+  std::vector<ConstituentDepth> optical_depths(double wavelength_nm, double aod500,
+                                               double altitude_km = 0.0) const;
+
+  /// Rayleigh optical depth of the whole column.
+  double rayleigh_depth(double wavelength_nm) const;
+
+  /// Extinction coefficients at the ground, 1/km.
+  double rayleigh_extinction_at_ground_per_km(double wavelength_nm) const;
+  double aerosol_extinction_at_ground_per_km(double wavelength_nm, double aod500) const;
+
+  /// Carbon dioxide's mole fraction at the ground, for the Rayleigh cross-section.
+  double carbon_dioxide_fraction() const { return carbon_dioxide_fraction_; }
+
+ private:
+  // Molecules of a gas at one temperature: a node of the integral over a layer.
+  struct ColumnNode {
+    double temperature_K;
+    double column_per_m2;
+  };
+  struct GasLayers {
+    AbsorbingGas gas;
+    std::vector<std::vector<ColumnNode>> nodes;  // by layer
+  };
+
+  double aerosol_fraction(double lower_km, double upper_km, double aod500) const;
+  double air_between_per_m2(double lower_km, double upper_km) const;
+  double absorption_depth(const GasLayers& gas, std::size_t layer, double wavelength_nm) const;
+  void check(double wavelength_nm, double aod500) const;
+
+  Profile profile_;
+  AirOptions options_;
+  Shells shells_;
+  double carbon_dioxide_fraction_ = 0.0;
+  std::vector<double> air_per_m2_;  // by layer
+  std::vector<GasLayers> absorbers_;
+};
+
+}  // namespace skylut
