@@ -15,7 +15,7 @@ std::string sky_csv(const SkyMap& map) {
   fmt::format_to(out, "# skylut {} sky map: diffuse light, without the solar disc\n", kVersion);
   fmt::format_to(out, "# altitude_km={}\n", map.altitude_km);
   fmt::format_to(out, "# turbidity={}\n", map.turbidity.value);
-  fmt::format_to(out, "# turbidity_kind={}\n", to_string(map.turbidity.kind));
+  fmt::format_to(out, "# turbidity_kind={}\n", turbidity_kind_name(map.turbidity.kind));
   fmt::format_to(out, "# sun_zenith_deg={}\n", map.sun.zenith_deg);
   fmt::format_to(out, "# sun_azimuth_deg={}\n", map.sun.azimuth_deg);
   fmt::format_to(out,

@@ -93,7 +93,7 @@ void describe(Imf::Header& header, const SkyMap& map, const Projection& projecti
   text("skylutVersion", kVersion);
   number("skyAltitudeKm", map.altitude_km);
   number("skyTurbidity", map.turbidity.value);
-  text("skyTurbidityKind", to_string(map.turbidity.kind));
+  text("skyTurbidityKind", std::string(turbidity_kind_name(map.turbidity.kind)));
   number("skySunZenithDeg", map.sun.zenith_deg);
   number("skySunAzimuthDeg", map.sun.azimuth_deg);
   text("skySunDisc", "not included");

@@ -35,13 +35,13 @@ std::vector<OpticalColumn> optical_columns(const Air& air, const SkyScene& scene
   columns.reserve(scene.turbidities.size() * scene.wavelengths.size());
   for (const Turbidity& turbidity : scene.turbidities)
     for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
-      columns.push_back(air.column(scene.wavelengths[i], aod500(turbidity)));
+      columns.push_back(air.column(scene.wavelengths[i], to_aod500(turbidity, air)));
   return columns;
 }
 
 // W m⁻² nm⁻¹ on a plane normal to the beam at the top of the atmosphere, per wavelength.
 std::vector<double> solar_irradiance(const SkyScene& scene) {
-  const SolarSpectrum sun = SolarSpectrum::load();
+  const SolarSpectrum sun = SolarSpectrum::load_default();
   std::vector<double> irradiance;
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
     irradiance.push_back(sun.irradiance_W_m2_nm(scene.wavelengths[i], scene.wavelengths.step_nm()) /
