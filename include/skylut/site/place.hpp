@@ -26,8 +26,8 @@ Place parse_place(const std::string& latitude, const std::string& longitude, dou
 double normal_gravity_m_s2(const Place& place);
 
 /// Radius of the sphere that fits the ellipsoid best at the place, km: the Gaussian radius √(M N) of
-/// the meridional (M) and the transverse (N) radius of curvature. 6356.752 + 21.4 … between 6335.44·…
-/// 6356.75 at the equator, 6378.84 at 45°, 6399.59 at the poles.
+/// the meridional (M) and the transverse (N) radius of curvature. 6356.75 at the equator, 6378.10 at
+/// 45°, 6399.59 at the poles (the flattened pole is curved least).
 /// @throws InputError  for a place out of range
 double radius_of_curvature_km(const Place& place);
 
