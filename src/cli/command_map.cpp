@@ -170,10 +170,9 @@ void add_map_command(CLI::App& program) {
              "of the observer above the ground, 0 to 30");
   options->turbidity_option = add_number(command, "--turbidity", options->turbidity, {0.0, 1e6, ""},
                                          "of the kind of --turbidity-kind");
-  options->sun_zenith_option =
-      add_number(command, "--sun-zenith-deg", options->sun_zenith_deg, {0.0, kLowestSun_deg, "deg"},
-                 "of the sun, 0 to 96; no default");
-  options->sun_zenith_option->default_str("");
+  CLI::Option* const sun_zenith = add_number(command, "--sun-zenith-deg", options->sun_zenith_deg,
+                                             {0.0, kLowestSun_deg, "deg"}, "of the sun, 0 to 96");
+  options->sun_zenith_option = sun_zenith->default_str("");
   options->sun_azimuth_option = add_number(command, "--sun-azimuth-deg", options->sun_azimuth_deg,
                                            {0.0, 360.0, "deg"}, "of the sun, clockwise from north");
   command.add_option("--time", options->time, "instead of the sun's angles, with a place: 2024-06-21T09:00Z")
