@@ -30,7 +30,7 @@ void silence_ceres() {
   std::call_once(once, [] { FLAGS_minloglevel = google::GLOG_FATAL; });
 }
 
-// The residuals of a fit in the linear form, for numbers and for Ceres' jets.
+// The residuals in the linear form, h (1 + aU) (1 + cW + eK) - t. [fit.md F3]
 struct Residuals {
   const FitProblem* problem;
 
@@ -41,20 +41,73 @@ struct Residuals {
     const T& c = parameter[2];
     const T& D = parameter[3];
     const T& e = parameter[4];
+    for (std::size_t i = 0; i < problem->observations.size(); ++i) {
+      const Observation& o = problem->observations[i];
+      residual[i] = o.model_scale * (1.0 + a * fit_detail::gradation_basis(B, o.secant_excess)) *
+                        (1.0 + c * fit_detail::aureole_basis(D, o.gamma_rad, problem->sun) + e * o.cos2_excess) -
+                    o.target;
+    }
+    return true;
+  }
+};
+
+// The same with c and e eliminated: for given a, B, D they follow by linear least squares. Since the elimination
+// is differentiated along with the rest, the derivatives are those of the whole (variable projection, Golub and
+// Pereyra 1973), and Levenberg-Marquardt is spared the curved valleys along which c, e and D trade. [fit.md F5]
+struct ProjectedResiduals {
+  const FitProblem* problem;
+
+  // Parameters a, B, D.
+  template <class T>
+  bool operator()(const T* parameter, T* residual) const {
+    T c, e;
+    eliminate(parameter, residual, c, e);
+    return true;
+  }
+
+  template <class T>
+  void eliminate(const T* parameter, T* residual, T& c, T& e) const {
+    const T& a = parameter[0];
+    const T& B = parameter[1];
+    const T& D = parameter[2];
+    const std::size_t n = problem->observations.size();
+    std::vector<T> aureole(n);
+    std::vector<T> backward(n);
     // Samples are sorted by zenith angle: the gradation changes only from ring to ring.
     double ring = -1.0;
     T gradation(1.0);
-    for (std::size_t i = 0; i < problem->observations.size(); ++i) {
+    T KK(0.0), KW(0.0), KR(0.0);
+    for (std::size_t i = 0; i < n; ++i) {
       const Observation& o = problem->observations[i];
       if (o.secant_excess != ring) {
         ring = o.secant_excess;
         gradation = 1.0 + a * fit_detail::gradation_basis(B, ring);
       }
-      const T scattering =
-          1.0 + c * fit_detail::aureole_basis(D, o.gamma_rad, problem->sun) + e * o.cos2_excess;
-      residual[i] = o.model_scale * gradation * scattering - o.target;
+      const T level = o.model_scale * gradation;
+      residual[i] = level - o.target;
+      aureole[i] = level * fit_detail::aureole_basis(D, o.gamma_rad, problem->sun);
+      backward[i] = level * o.cos2_excess;
+      KK += backward[i] * backward[i];
+      KW += backward[i] * aureole[i];
+      KR += backward[i] * residual[i];
     }
-    return true;
+    // Gram-Schmidt: W made orthogonal to K, then the residual to both.
+    const bool has_backward = KK > 0.0;
+    const T share = has_backward ? T(KW / KK) : T(0.0);
+    const T first_e = has_backward ? T(-KR / KK) : T(0.0);
+    T before(0.0), WW(0.0), WR(0.0);
+    for (std::size_t i = 0; i < n; ++i) {
+      before += aureole[i] * aureole[i];
+      aureole[i] -= share * backward[i];
+      residual[i] += first_e * backward[i];
+      WW += aureole[i] * aureole[i];
+      WR += aureole[i] * residual[i];
+    }
+    // A column that is dependent to 12 digits is left out.
+    const bool has_aureole = WW > 1e-24 * before;
+    c = has_aureole ? T(-WR / WW) : T(0.0);
+    e = first_e - c * share;
+    for (std::size_t i = 0; i < n; ++i) residual[i] += c * aureole[i];
   }
 };
 
@@ -71,19 +124,19 @@ class Polisher {
  public:
   Polisher(const FitProblem& problem, const FitOptions& options)
       : options_(options),
-        cost_(new Residuals{&problem}, static_cast<int>(problem.observations.size())),
+        residuals_{&problem},
+        cost_(new ProjectedResiduals{&problem}, static_cast<int>(problem.observations.size())),
         problem_(ceres_options()) {
     problem_.AddResidualBlock(&cost_, nullptr, at_.data());
     problem_.SetParameterLowerBound(at_.data(), 1, options.B_lower);
     problem_.SetParameterUpperBound(at_.data(), 1, options.B_upper);
-    problem_.SetParameterLowerBound(at_.data(), 3, options.D_lower);
-    problem_.SetParameterUpperBound(at_.data(), 3, options.D_upper);
+    problem_.SetParameterLowerBound(at_.data(), 2, options.D_lower);
+    problem_.SetParameterUpperBound(at_.data(), 2, options.D_upper);
   }
 
   Polished run(const LinearParameters& start, double tolerance, int max_iterations) {
-    at_ = start;
-    at_[1] = std::clamp(at_[1], options_.B_lower, options_.B_upper);
-    at_[3] = std::clamp(at_[3], options_.D_lower, options_.D_upper);
+    at_ = {start[0], std::clamp(start[1], options_.B_lower, options_.B_upper),
+           std::clamp(start[3], options_.D_lower, options_.D_upper)};
     ceres::Solver::Options solver;
     solver.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
     solver.linear_solver_type = ceres::DENSE_QR;
@@ -97,23 +150,17 @@ class Polisher {
     ceres::Solve(solver, &problem_, &summary);
     Polished result;
     if (!summary.IsSolutionUsable()) return result;
+    std::vector<double> residual(static_cast<std::size_t>(cost_.num_residuals()));
+    double c = 0.0;
+    double e = 0.0;
+    residuals_.eliminate(at_.data(), residual.data(), c, e);
     result.cost = summary.final_cost;
-    result.parameters = at_;
+    result.parameters = {at_[0], at_[1], c, at_[2], e};
     result.termination = summary.termination_type == ceres::CONVERGENCE ? Termination::converged
                                                                         : Termination::no_convergence;
     result.message = summary.message;
     result.iterations = static_cast<int>(summary.iterations.size()) - 1;
     return result;
-  }
-
-  // Derivatives of the residuals at the parameters, observations × 5.
-  Eigen::MatrixXd jacobian(const LinearParameters& at) const {
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(cost_.num_residuals(), 5);
-    std::vector<double> residual(static_cast<std::size_t>(cost_.num_residuals()));
-    const double* blocks[] = {at.data()};
-    double* derivatives[] = {rows.data()};
-    cost_.Evaluate(blocks, residual.data(), derivatives);
-    return rows;
   }
 
  private:
@@ -124,10 +171,23 @@ class Polisher {
   }
 
   const FitOptions& options_;
-  LinearParameters at_{};
-  ceres::AutoDiffCostFunction<Residuals, ceres::DYNAMIC, 5> cost_;
+  ProjectedResiduals residuals_;
+  std::array<double, 3> at_{};  // a, B, D
+  ceres::AutoDiffCostFunction<ProjectedResiduals, ceres::DYNAMIC, 3> cost_;
   ceres::Problem problem_;
 };
+
+// Derivatives of the residuals by a, B, c, D, e, observations × 5.
+Eigen::MatrixXd jacobian(const FitProblem& problem, const LinearParameters& at) {
+  const int count = static_cast<int>(problem.observations.size());
+  const ceres::AutoDiffCostFunction<Residuals, ceres::DYNAMIC, 5> function(new Residuals{&problem}, count);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(count, 5);
+  std::vector<double> residual(problem.observations.size());
+  const double* blocks[] = {at.data()};
+  double* derivatives[] = {rows.data()};
+  function.Evaluate(blocks, residual.data(), derivatives);
+  return rows;
+}
 
 // d(A…E)/d(a, B, c, D, e).
 Eigen::Matrix<double, 5, 5> coefficient_derivatives(const LinearParameters& at, const fit_detail::SunFrame& sun) {
@@ -256,7 +316,7 @@ FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, d
   report.iterations = best.iterations;
   report.at_bound[1] = k[1] == options.B_lower || k[1] == options.B_upper;
   report.at_bound[3] = k[3] == options.D_lower || k[3] == options.D_upper;
-  judge(report, polisher.jacobian(best.parameters), coefficient_derivatives(best.parameters, problem.sun),
+  judge(report, jacobian(problem, best.parameters), coefficient_derivatives(best.parameters, problem.sun),
         problem.samples);
 
   double worst = -1.0;

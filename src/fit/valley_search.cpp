@@ -9,9 +9,9 @@ namespace skylut::fit_detail {
 
 namespace {
 
-constexpr int kRates = 44;       // nodes in B: 0.13 decades apart over the default bounds
-constexpr int kWidths = 45;      // nodes in D below 0, as many octaves; and
-constexpr int kBrightenings = 11;  // nodes in D above 0
+constexpr int kRates = 56;         // nodes in B: 0.13 decades apart over the default bounds
+constexpr int kWidths = 48;        // nodes in D below 0
+constexpr int kBrightenings = 32;  // nodes in D above 0
 constexpr double kFlattest = 0.02;  // smallest |D|: e^{Dγ} is then as good as linear
 
 // Values of -lower … -upper, geometric.
@@ -191,10 +191,10 @@ std::vector<Valley> search_valleys(const FitProblem& problem, const FitOptions& 
   std::vector<Valley> valleys;
   for (Eigen::Index b = 0; b < nB; ++b)
     for (Eigen::Index d = 0; d < nD; ++d) {
-      bool lowest = true;
-      for (Eigen::Index near_b = std::max<Eigen::Index>(b - 1, 0); near_b <= std::min(b + 1, nB - 1); ++near_b)
-        for (Eigen::Index near_d = std::max<Eigen::Index>(d - 1, 0); near_d <= std::min(d + 1, nD - 1); ++near_d)
-          lowest = lowest && node(near_b, near_d).cost >= node(b, d).cost;
+      // Lowest among the four next nodes; a diagonal valley then offers several starts along its floor.
+      const double here = node(b, d).cost;
+      const bool lowest = (b == 0 || node(b - 1, d).cost >= here) && (b == nB - 1 || node(b + 1, d).cost >= here) &&
+                          (d == 0 || node(b, d - 1).cost >= here) && (d == nD - 1 || node(b, d + 1).cost >= here);
       if (lowest) valleys.push_back(node(b, d));
     }
   std::stable_sort(valleys.begin(), valleys.end(),

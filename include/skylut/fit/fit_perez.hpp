@@ -39,11 +39,11 @@ std::string_view to_string(Termination termination);
 /// What the fit may do. The bounds keep the formula finite everywhere and representable in 32-bit floats.
 struct FitOptions {
   ResidualKind residual = ResidualKind::relative;
-  double B_lower = -50.0;   ///< the gradation is then gone 20° from the zenith
-  double B_upper = -1e-4;   ///< B < 0: finite at the horizon
-  double D_lower = -50.0;   ///< 1/rad: an aureole 1.1° wide, narrower than a map of directions resolves
-  double D_upper = 10.0;    ///< 1/rad: brightens away from the sun, by e^31 at the antisolar point
-  int polished_starts = 6;  ///< Levenberg-Marquardt runs per fit, from the best valleys of the search
+  double B_lower = -80.0;   ///< the gradation is then gone 15° from the zenith; e^{-B} still fits a float
+  double B_upper = -1e-5;   ///< B < 0: finite at the horizon
+  double D_lower = -80.0;   ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
+  double D_upper = 25.0;    ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
+  int polished_starts = 12; ///< Levenberg-Marquardt runs per fit, from the best valleys of the search
   int max_iterations = 200; ///< per run
 };
 
