@@ -32,7 +32,9 @@ struct Utm2005Verdict {
   std::string text() const;
 };
 
-/// Reads profiles/reference/utm2005_appendix_a.csv. @throws WorkError if it is missing or broken
+/// Reads profiles/reference/utm2005_appendix_a.csv.
+/// @throws WorkError   if it is missing
+/// @throws InputError  "file:line: …" if it is broken
 std::vector<Utm2005Row> load_utm2005();
 
 /// One verdict per row; mirrors are looked for among the rows.
