@@ -28,7 +28,7 @@ struct Utm2005Verdict {
   bool plausible() const {
     return !impossible_chromaticity && !infinite_horizon && !mirror_differs && !dark_zenith;
   }
-  /// "plausible", or the failures in short: "chromaticity,horizon,mirror,dark".
+  /// "plausible", or what fails, in short: "chromaticity+horizon+mirror+dark".
   std::string text() const;
 };
 
