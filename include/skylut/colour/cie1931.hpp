@@ -13,7 +13,8 @@ namespace skylut {
 class ColourMatching {
  public:
   /// Reads the table of the installation.
-  /// @throws WorkError  if the file is missing, or does not hold what its header says
+  /// @throws WorkError   if the file is missing
+  /// @throws InputError  "file:line: …" if it does not hold what its header says
   static ColourMatching load();
 
   /// Tristimulus values of a spectrum: X = K_m ∫ L(λ) x̄(λ) dλ with K_m = 683.002 lm/W, and so on.

@@ -28,11 +28,13 @@ struct Utm2005Verdict {
   bool plausible() const {
     return !impossible_chromaticity && !infinite_horizon && !mirror_differs && !dark_zenith;
   }
-  /// "plausible", or the failures in short: "chromaticity,horizon,mirror,dark".
+  /// "plausible", or what fails, in short: "chromaticity+horizon+mirror+dark".
   std::string text() const;
 };
 
-/// Reads profiles/reference/utm2005_appendix_a.csv. @throws WorkError if it is missing or broken
+/// Reads profiles/reference/utm2005_appendix_a.csv.
+/// @throws WorkError   if it is missing
+/// @throws InputError  "file:line: …" if it is broken
 std::vector<Utm2005Row> load_utm2005();
 
 /// One verdict per row; mirrors are looked for among the rows.

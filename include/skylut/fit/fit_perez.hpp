@@ -43,7 +43,7 @@ struct FitOptions {
   double B_upper = -1e-5;   ///< B < 0: finite at the horizon
   double D_lower = -80.0;   ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
   double D_upper = 25.0;    ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
-  int polished_starts = 12; ///< Levenberg-Marquardt runs per fit, from the best valleys of the search
+  int polished_starts = 24;  ///< Levenberg-Marquardt runs per fit, from the best valleys of the search
   int max_iterations = 200; ///< per run
 };
 
