@@ -77,10 +77,13 @@ class Air {
     std::vector<std::vector<ColumnNode>> nodes;  // by layer
   };
 
-  double aerosol_fraction(double lower_km, double upper_km, double aod500) const;
+  static void check(double wavelength_nm, double aod500);
+  static double absorption_depth(const CrossSection& cross_section, const std::vector<ColumnNode>& nodes,
+                                 double wavelength_nm);
+  std::vector<ColumnNode> gas_nodes(const std::string& name, double lower_km, double upper_km) const;
   double air_between_per_m2(double lower_km, double upper_km) const;
-  double absorption_depth(const GasLayers& gas, std::size_t layer, double wavelength_nm) const;
-  void check(double wavelength_nm, double aod500) const;
+  // Part of the aerosol's optical depth that lies between two altitudes.
+  double aerosol_fraction(double lower_km, double upper_km, double aod500) const;
 
   Profile profile_;
   AirOptions options_;

@@ -1,0 +1,200 @@
+#include "skylut/optics/air.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "skylut/core/errors.hpp"
+#include "skylut/core/quadrature.hpp"
+#include "skylut/optics/ozone.hpp"
+#include "skylut/optics/rayleigh.hpp"
+
+namespace skylut {
+
+namespace {
+
+// Layer boundaries: fine where the haze and the observers are, coarse where little air is left.
+std::vector<double> layer_levels_km(double top_km) {
+  std::vector<double> levels{0.0, 0.1, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5};
+  for (int z = 3; z <= 20; ++z) levels.push_back(z);
+  for (int z = 22; z <= 30; z += 2) levels.push_back(z);
+  for (int z : {35, 40, 45, 50, 60, 70, 80, 100}) levels.push_back(z);
+  if (top_km > levels.back()) levels.push_back(top_km);
+  return levels;
+}
+
+// Part of a normalised exponential exp(-z/H) on [0, top] between two altitudes.
+double exponential_part(double scale_height_km, double lower_km, double upper_km, double top_km) {
+  const auto below = [&](double z) { return -std::expm1(-z / scale_height_km); };
+  return (below(upper_km) - below(lower_km)) / below(top_km);
+}
+
+// Part of a Gaussian, normalised on [0, top], between two altitudes.
+double gaussian_part(double centre_km, double width_km, double lower_km, double upper_km, double top_km) {
+  const auto below = [&](double z) { return std::erf((z - centre_km) / (width_km * std::sqrt(2.0))); };
+  return (below(upper_km) - below(lower_km)) / (below(top_km) - below(0.0));
+}
+
+void check_options(const AirOptions& options) {
+  if (!(options.ground_albedo >= 0.0 && options.ground_albedo <= 1.0))
+    throw InputError("ground albedo {}: must lie within 0-1", options.ground_albedo);
+  if (options.ozone_du && !(*options.ozone_du >= 0.0 && *options.ozone_du <= 1000.0))
+    throw InputError("ozone column {} DU: must lie within 0-1000 DU", *options.ozone_du);
+  if (!(options.gravity_m_s2 >= 9.7 && options.gravity_m_s2 <= 9.9))
+    throw InputError("gravity {} m/s2: must lie within 9.7-9.9 m/s2", options.gravity_m_s2);
+  if (!(options.planet_radius_km >= 1000.0))
+    throw InputError("planet radius {} km: must be 1000 km or more", options.planet_radius_km);
+  options.aerosol.validate();
+}
+
+}  // namespace
+
+Air::Air(Profile profile, AirOptions options) : profile_(std::move(profile)), options_(std::move(options)) {
+  check_options(options_);
+  if (options_.ozone_du) scale_gas_column(profile_, "ozone", *options_.ozone_du * kDobsonUnit_per_m2);
+  carbon_dioxide_fraction_ =
+      profile_.gas("carbon_dioxide")->density_per_m3.front() / air_state(profile_, 0.0).density_per_m3;
+
+  shells_.planet_radius_km = options_.planet_radius_km;
+  shells_.levels_km = layer_levels_km(profile_.altitude_km.back());
+  absorbers_.push_back({{"ozone", load_ozone_cross_section()}, {}});
+  for (std::size_t layer = 0; layer + 1 < shells_.levels_km.size(); ++layer) {
+    const double lower_km = shells_.levels_km[layer];
+    const double upper_km = shells_.levels_km[layer + 1];
+    air_per_m2_.push_back(air_between_per_m2(lower_km, upper_km));
+    for (GasLayers& absorber : absorbers_)
+      absorber.nodes.push_back(gas_nodes(absorber.gas.name, lower_km, upper_km));
+  }
+}
+
+// The air at altitude z under gravity g is that of the profile at z g/g0.
+double Air::air_between_per_m2(double lower_km, double upper_km) const {
+  const double stretch = options_.gravity_m_s2 / kStandardGravity_m_s2;
+  const double top_km = profile_.altitude_km.back();
+  return air_column_per_m2(profile_, std::min(lower_km * stretch, top_km),
+                           std::min(upper_km * stretch, top_km)) /
+         stretch;
+}
+
+std::vector<Air::ColumnNode> Air::gas_nodes(const std::string& name, double lower_km, double upper_km) const {
+  static const Quadrature rule = gauss_legendre(6, 0.0, 1.0);
+  const GasProfile& gas = *profile_.gas(name);
+  std::vector<double> edges{lower_km};
+  for (double z : profile_.altitude_km)
+    if (z > lower_km && z < upper_km) edges.push_back(z);
+  edges.push_back(upper_km);
+  std::vector<ColumnNode> nodes;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+    for (std::size_t k = 0; k < rule.node.size(); ++k) {
+      const double thickness_km = edges[i + 1] - edges[i];
+      const double z = edges[i] + rule.node[k] * thickness_km;
+      nodes.push_back({air_state(profile_, z).temperature_K,
+                       1000.0 * thickness_km * rule.weight[k] *
+                           interpolate_by_altitude(profile_, gas.density_per_m3, z)});
+    }
+  return nodes;
+}
+
+double Air::absorption_depth(const CrossSection& cross_section, const std::vector<ColumnNode>& nodes,
+                             double wavelength_nm) {
+  double depth = 0.0;
+  for (const ColumnNode& node : nodes)
+    depth += node.column_per_m2 * cross_section.at_m2(wavelength_nm, node.temperature_K);
+  return depth;
+}
+
+double Air::aerosol_fraction(double lower_km, double upper_km, double aod500) const {
+  const double top_km = shells_.levels_km.back();
+  if (!profile_.relative_aerosol_extinction.empty()) {
+    const GasProfile extinction{"aerosol", profile_.relative_aerosol_extinction};
+    return gas_column_per_m2(profile_, extinction, lower_km, upper_km) /
+           gas_column_per_m2(profile_, extinction, 0.0, top_km);
+  }
+  const AerosolShape& shape = options_.aerosol.shape;
+  const double stratospheric =
+      aod500 > shape.stratospheric_aod500 ? shape.stratospheric_aod500 / aod500 : 1.0;
+  return stratospheric * gaussian_part(shape.stratospheric_centre_km, shape.stratospheric_width_km, lower_km,
+                                       upper_km, top_km) +
+         (1.0 - stratospheric) * exponential_part(shape.haze_scale_height_km, lower_km, upper_km, top_km);
+}
+
+void Air::check(double wavelength_nm, double aod500) {
+  if (!(wavelength_nm >= 300.0 && wavelength_nm <= 1000.0))
+    throw InputError("wavelength {} nm: must lie within 300-1000 nm", wavelength_nm);
+  if (!(aod500 >= 0.0) || !std::isfinite(aod500))
+    throw InputError("aerosol optical depth {}: must be finite and not negative", aod500);
+}
+
+OpticalColumn Air::column(double wavelength_nm, double aod500) const {
+  check(wavelength_nm, aod500);
+  const double rayleigh_m2 = rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_);
+  const double aerosol_depth = aod500 * options_.aerosol.relative_depth(wavelength_nm);
+  const double aerosol_albedo = options_.aerosol.single_scattering_albedo_at(wavelength_nm);
+
+  OpticalColumn column;
+  column.ground_albedo = options_.ground_albedo;
+  Scatterer molecules{
+      std::make_shared<RayleighPhaseFunction>(depolarisation_of_air(wavelength_nm, carbon_dioxide_fraction_)),
+      {}};
+  Scatterer aerosol{options_.aerosol.phase_function(wavelength_nm), {}};
+  for (std::size_t layer = 0; layer < air_per_m2_.size(); ++layer) {
+    const double scattering = rayleigh_m2 * air_per_m2_[layer];
+    double extinction = scattering;
+    molecules.scattering_depth.push_back(scattering);
+    for (const GasLayers& absorber : absorbers_)
+      extinction += absorption_depth(absorber.gas.cross_section, absorber.nodes[layer], wavelength_nm);
+    if (aod500 > 0.0) {
+      const double haze =
+          aerosol_depth * aerosol_fraction(shells_.levels_km[layer], shells_.levels_km[layer + 1], aod500);
+      extinction += haze;
+      aerosol.scattering_depth.push_back(aerosol_albedo * haze);
+    }
+    column.extinction_depth.push_back(extinction);
+  }
+  column.scatterers.push_back(std::move(molecules));
+  if (aod500 > 0.0) column.scatterers.push_back(std::move(aerosol));
+  return column;
+}
+
+std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double aod500,
+                                                  double altitude_km) const {
+  check(wavelength_nm, aod500);
+  const double top_km = shells_.levels_km.back();
+  if (!(altitude_km >= 0.0 && altitude_km <= top_km))
+    throw InputError("altitude {} km: must lie within 0-{} km", altitude_km, top_km);
+  std::vector<ConstituentDepth> depths;
+  depths.push_back({"rayleigh", rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_) *
+                                    air_between_per_m2(altitude_km, top_km)});
+  for (const GasLayers& absorber : absorbers_)
+    depths.push_back({absorber.gas.name,
+                      absorption_depth(absorber.gas.cross_section,
+                                       gas_nodes(absorber.gas.name, altitude_km, top_km), wavelength_nm)});
+  const double aerosol = aod500 > 0.0 ? aod500 * options_.aerosol.relative_depth(wavelength_nm) *
+                                            aerosol_fraction(altitude_km, top_km, aod500)
+                                      : 0.0;
+  depths.push_back({"aerosol", aerosol});
+  return depths;
+}
+
+double Air::rayleigh_depth(double wavelength_nm) const {
+  check(wavelength_nm, 0.0);
+  return rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_) *
+         air_between_per_m2(0.0, shells_.levels_km.back());
+}
+
+double Air::rayleigh_extinction_at_ground_per_km(double wavelength_nm) const {
+  check(wavelength_nm, 0.0);
+  return 1000.0 * rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_) *
+         air_state(profile_, 0.0).density_per_m3;
+}
+
+double Air::aerosol_extinction_at_ground_per_km(double wavelength_nm, double aod500) const {
+  check(wavelength_nm, aod500);
+  if (aod500 <= 0.0) return 0.0;
+  // The mean over the lowest millimetre stands for the limit.
+  constexpr double kGround_km = 1e-6;
+  return aod500 * options_.aerosol.relative_depth(wavelength_nm) * aerosol_fraction(0.0, kGround_km, aod500) /
+         kGround_km;
+}
+
+}  // namespace skylut
