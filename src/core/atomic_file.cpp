@@ -53,7 +53,8 @@ class UnfinishedGuard {
 
 void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   if (fs::is_directory(path)) throw WorkError("{}: cannot write, a directory has that name", path.string());
-  if (fs::exists(path) && !fs::is_regular_file(path)) return write(path);  // a pipe or a device: nothing to replace
+  if (fs::exists(path) && !fs::is_regular_file(path))
+    return write(path);  // a pipe or a device: nothing to replace
   fs::path temporary = path;
   temporary += fmt::format(".{}.tmp", ::getpid());
   const UnfinishedGuard guard(temporary);

@@ -17,9 +17,7 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{});
-  });
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{}); });
 }
 
 }  // namespace skylut

@@ -17,14 +17,16 @@ WavelengthGrid::WavelengthGrid(double first_nm, double last_nm, double step_nm)
   if (!(step_nm > 0.0) || !std::isfinite(step_nm))
     throw InputError("wavelength step {} nm: must be greater than 0", step_nm);
   if (!(first_nm <= last_nm))
-    throw InputError("wavelength range {}:{} nm is empty: the first must not exceed the last", first_nm, last_nm);
+    throw InputError("wavelength range {}:{} nm is empty: the first must not exceed the last", first_nm,
+                     last_nm);
   if (first_nm < kShortest_nm || last_nm > kLongest_nm)
     throw InputError("wavelength range {}:{} nm: must lie within {}-{} nm", first_nm, last_nm, kShortest_nm,
                      kLongest_nm);
   const double steps = (last_nm - first_nm) / step_nm;
   const double whole = std::round(steps);
   if (std::abs(steps - whole) > 1e-6 * (1.0 + whole))
-    throw InputError("wavelength range {}:{} nm is not a whole number of {} nm steps", first_nm, last_nm, step_nm);
+    throw InputError("wavelength range {}:{} nm is not a whole number of {} nm steps", first_nm, last_nm,
+                     step_nm);
   if (whole > 10000.0) throw InputError("wavelength step {} nm: gives more than 10000 wavelengths", step_nm);
   size_ = static_cast<std::size_t>(whole) + 1;
 }

@@ -26,7 +26,8 @@ inline constexpr double kStandardGravity_m_s2 = 9.80665;
 /// One Dobson unit as a number column, molecules/m² (0.01 mm of gas at 273.15 K, 1013.25 hPa).
 inline constexpr double kDobsonUnit_per_m2 = 2.6867801e20;
 
-/// Maximum luminous efficacy K_m = 683 lm/W at 540 THz scaled to the peak of V(λ): 683.002 lm/W (CIE 15:2004).
+/// Maximum luminous efficacy K_m = 683 lm/W at 540 THz scaled to the peak of V(λ): 683.002 lm/W (CIE
+/// 15:2004).
 inline constexpr double kLuminousEfficacy_lm_per_W = 683.002;
 
 }  // namespace skylut

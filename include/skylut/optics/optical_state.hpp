@@ -17,9 +17,10 @@ struct Scatterer {
 /// Everything that radiative transfer must know of the air at one wavelength and one aerosol load:
 /// homogeneous layers over a Lambertian ground. A column is one "lane" of the solver.
 struct OpticalColumn {
-  std::vector<double> extinction_depth;  ///< vertical optical depth, per layer, bottom to top; scattering included
-  std::vector<Scatterer> scatterers;     ///< Σ scattering_depth <= extinction_depth in every layer
-  double ground_albedo = 0.0;            ///< Lambertian, [0, 1]
+  std::vector<double>
+      extinction_depth;  ///< vertical optical depth, per layer, bottom to top; scattering included
+  std::vector<Scatterer> scatterers;  ///< Σ scattering_depth <= extinction_depth in every layer
+  double ground_albedo = 0.0;         ///< Lambertian, [0, 1]
 };
 
 /// The layers that all columns of a computation share.

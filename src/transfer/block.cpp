@@ -1,0 +1,63 @@
+#include "block.hpp"
+
+#include <cmath>
+
+#include "skylut/core/constants.hpp"
+
+namespace skylut::transfer {
+
+SweepTables::SweepTables(const Discretisation& grid) {
+  const AngularGrid& angles = grid.angles;
+  const SweepStencil& stencil = grid.stencil;
+  const int nodes = static_cast<int>(grid.sun_nodes_deg.size());
+  for (int m = 0; m < angles.azimuthal_orders(); ++m) {
+    moment_offset_.push_back(angles.moment_offset(m));
+    for (int l = m; l <= angles.resolution().max_l; ++l) moment_degree_.push_back(l);
+  }
+  moment_offset_.push_back(angles.moments());
+  for (int j = 0; j < angles.polar_nodes(); ++j) {
+    const auto node = static_cast<std::size_t>(j);
+    const double weight =
+        angles.polar_weight()[node] * angles.cos_polar()[node] * 2.0 * kPi / angles.azimuth_nodes();
+    flux_weight_.insert(flux_weight_.end(), static_cast<std::size_t>(angles.azimuth_nodes()),
+                        static_cast<float>(weight));
+  }
+  for (const double node_deg : grid.sun_nodes_deg) {
+    const double cosine = std::cos(node_deg * kRadiansPerDegree);
+    sun_cosine_.push_back(static_cast<float>(cosine));
+    for (int m = 0; m < angles.azimuthal_orders(); ++m)
+      for (const double value : normalised_legendre(m, angles.resolution().max_l, -cosine))
+        beam_moment_.push_back(static_cast<float>(value / (4.0 * kPi)));
+  }
+  for (int point = 0; point < grid.beam.points(); ++point)
+    for (int node = 0; node < nodes; ++node) beam_path_km_.push_back(grid.beam.path_km(point, node));
+
+  view_.layers = grid.layers.layers();
+  view_.sublayers = grid.sublayers.layers();
+  view_.sun_nodes = nodes;
+  view_.polar_nodes = angles.polar_nodes();
+  view_.azimuth_nodes = angles.azimuth_nodes();
+  view_.azimuthal_orders = angles.azimuthal_orders();
+  view_.moments = angles.moments();
+  view_.degrees = angles.resolution().max_l + 1;
+  view_.chord_nodes = stencil.chord_nodes();
+  view_.layer_of_sublayer = grid.layer_of_sublayer.data();
+  view_.moment_offset = moment_offset_.data();
+  view_.moment_degree = moment_degree_.data();
+  for (const Hemisphere half : {kDown, kUp}) {
+    for (int m = 0; m < angles.azimuthal_orders(); ++m) {
+      view_.polar_synthesis[half][m] = angles.polar_synthesis(half, m).data();
+      view_.polar_analysis[half][m] = angles.polar_analysis(half, m).data();
+    }
+    view_.polar_step[half] = &stencil.polar(half, 0, 0);
+    view_.sun_taps[half] = stencil.sun(half, 0, 0);
+  }
+  view_.azimuth_synthesis = angles.azimuth_synthesis().data();
+  view_.azimuth_analysis = angles.azimuth_analysis().data();
+  view_.flux_weight = flux_weight_.data();
+  view_.beam_moment = beam_moment_.data();
+  view_.sun_cosine = sun_cosine_.data();
+  view_.beam_path_km = beam_path_km_.data();
+}
+
+}  // namespace skylut::transfer

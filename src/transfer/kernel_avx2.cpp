@@ -1,0 +1,11 @@
+#include "line_of_sight.hpp"
+
+// Compiled for AVX2; see CMakeLists.txt and lanes.hpp.
+namespace skylut::transfer {
+
+bool run_block_avx2(const SweepView& grid, const OpticsView& optics, const IterationLimits& limits,
+                    RayQueue& queue) {
+  return run_block<LaneRegister<8>::type>(grid, optics, limits, queue);
+}
+
+}  // namespace skylut::transfer

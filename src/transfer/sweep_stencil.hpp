@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "angular_grid.hpp"
+#include "interpolation.hpp"
+#include "shell_geometry.hpp"
+
+namespace skylut::transfer {
+
+/// Interpolation among sun nodes; as Taps, but small, since there is one per direction.
+struct SunTaps {
+  std::int32_t first;
+  float weight[4];
+};
+
+/// Where the light of one polar node comes from when it has crossed one sublayer.
+struct PolarStep {
+  float length_km;  ///< of the straight ray through the sublayer
+  bool chord;       ///< the ray entered through the upper boundary that it also leaves by
+  Taps upwind;      ///< among the polar nodes of the same hemisphere; unused for a chord
+};
+
+/// Short characteristics through every sublayer: for each direction of the sweep, the length of the ray
+/// and the place (polar angle, solar zenith angle) where it entered. Pure geometry, shared by all lanes.
+/// [theory.md §4.3, eqs. G5-G8]
+class SweepStencil {
+ public:
+  /// @param shells       boundaries of the sublayers
+  /// @param sun_nodes_deg  local solar zenith angles that carry the field, ascending
+  SweepStencil(const ShellGeometry& shells, const AngularGrid& angles,
+               const std::vector<double>& sun_nodes_deg);
+
+  /// Polar node j of a ray that leaves sublayer `layer` downwards (through its lower boundary) or upwards.
+  const PolarStep& polar(Hemisphere half, int layer, int j) const {
+    return polar_[half][static_cast<std::size_t>(layer * polar_nodes_ + j)];
+  }
+  /// Sun taps of all directions [polar][azimuth] of one sublayer and sun node.
+  const SunTaps* sun(Hemisphere half, int layer, int node) const {
+    return sun_[half].data() + static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_;
+  }
+  /// Number of polar nodes, from the horizon up, that are chords of some sublayer.
+  int chord_nodes() const { return chord_nodes_; }
+
+ private:
+  int polar_nodes_;
+  int sun_nodes_;
+  std::size_t directions_;
+  int chord_nodes_ = 0;
+  std::vector<PolarStep> polar_[2];
+  std::vector<SunTaps> sun_[2];
+};
+
+}  // namespace skylut::transfer
