@@ -57,7 +57,8 @@ FileKind kind_of(const MapOptions& options) {
     throw InputError("--directions: is for .csv files, must not be given with {}", options.out.string());
   for (const CLI::Option* option : options.picture_options)
     if (csv && option->count() > 0)
-      throw InputError("{}: is for .exr files, must not be given with {}", option->get_name(), options.out.string());
+      throw InputError("{}: is for .exr files, must not be given with {}", option->get_name(),
+                       options.out.string());
   return csv ? FileKind::csv : FileKind::exr;
 }
 
@@ -65,8 +66,7 @@ FileKind kind_of(const MapOptions& options) {
 void add_sun(const MapOptions& options, SkyScene& scene) {
   const bool by_angles = options.sun_zenith_option->count() > 0;
   if (options.time.empty()) {
-    if (!by_angles)
-      throw InputError("no sun: give --sun-zenith-deg, or --latitude, --longitude and --time");
+    if (!by_angles) throw InputError("no sun: give --sun-zenith-deg, or --latitude, --longitude and --time");
     scene.suns = {{options.sun_zenith_deg, options.sun_azimuth_deg}};
     return;
   }
@@ -125,7 +125,8 @@ void write_exr(const MapOptions& options, SkyScene scene, const TransferOptions&
   for (const SkyChannels kind : channels) require_writable_file("-o", sky_exr_path(options.out, kind));
   scene.directions = projection->directions();
   const SkyMap map = simulate(scene, transfer);
-  for (const SkyChannels kind : channels) write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind);
+  for (const SkyChannels kind : channels)
+    write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind);
   print_facts(map, scene);
   if (const std::size_t outside = count_outside_rec709(map); outside > 0)
     fmt::print("{} pixels have a colour outside Rec. 709: a negative R, G or B, kept as it is\n", outside);
@@ -147,7 +148,8 @@ void add_picture_options(CLI::App& command, MapOptions& options) {
           ->capture_default_str()
           ->type_name("NAME")
           ->group(group),
-      add_count(command, "--size", options.size, 2, 8192, "height in pixels; latlong is twice as wide")->group(group),
+      add_count(command, "--size", options.size, 2, 8192, "height in pixels; latlong is twice as wide")
+          ->group(group),
       command.add_option("--channels", options.channels, "rgb, xyz, spectral or several: rgb,spectral")
           ->capture_default_str()
           ->type_name("LIST")
@@ -158,14 +160,17 @@ void add_picture_options(CLI::App& command, MapOptions& options) {
 
 void add_map_command(CLI::App& program) {
   const auto options = std::make_shared<MapOptions>();
-  CLI::App& command = *program.add_subcommand("map", "simulate one sky, as numbers (.csv) or a picture (.exr)");
+  CLI::App& command =
+      *program.add_subcommand("map", "simulate one sky, as numbers (.csv) or a picture (.exr)");
   command.footer(
       "\nA picture sky.exr goes to sky_rgb.exr, sky_xyz.exr and sky_spectral.exr, as --channels asks.\n"
       "Examples:\n"
       "  skylut map -o sky.csv --sun-zenith-deg 45 --turbidity 0.2\n"
       "  skylut map -o sky.exr --sun-zenith-deg 85 --altitude-km 12 --size 512 --channels rgb,spectral\n"
       "  skylut map -o sky.exr --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z");
-  command.add_option("-o,--output", options->out, "file to write: .csv or .exr")->required()->type_name("FILE");
+  command.add_option("-o,--output", options->out, "file to write: .csv or .exr")
+      ->required()
+      ->type_name("FILE");
   add_number(command, "--altitude-km", options->altitude_km, {0.0, kHighestAltitude_km, "km"},
              "of the observer above the ground, 0 to 30");
   options->turbidity_option = add_number(command, "--turbidity", options->turbidity, {0.0, 1e6, ""},

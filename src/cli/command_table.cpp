@@ -53,8 +53,10 @@ void require_different(const char* option, const std::vector<T>& values, const s
 }
 
 SkyScene scene_of(const TableOptions& options) {
-  require_different("--altitudes-km", options.altitudes_km, fmt::format("{}", fmt::join(options.altitudes_km, ",")));
-  require_different("--turbidities", options.turbidities, fmt::format("{}", fmt::join(options.turbidities, ",")));
+  require_different("--altitudes-km", options.altitudes_km,
+                    fmt::format("{}", fmt::join(options.altitudes_km, ",")));
+  require_different("--turbidities", options.turbidities,
+                    fmt::format("{}", fmt::join(options.turbidities, ",")));
   SkyScene scene = options.scene.scene();
   scene.altitudes_km = options.altitudes_km;
   for (const double value : options.turbidities)
@@ -94,7 +96,8 @@ std::vector<SkyMap> simulate(const SkyScene& scene, TransferOptions transfer) {
 
 SkyTable fit(const std::vector<SkyMap>& maps, const SkyFitOptions& options, int threads) {
   Progress progress("fitting:");
-  return fit_table(maps, options, threads, [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+  return fit_table(maps, options, threads,
+                   [&](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
 void run(const TableOptions& options) {
@@ -130,20 +133,25 @@ void add_table_command(CLI::App& program) {
       "Examples:\n"
       "  skylut table --out out/table\n"
       "  skylut table --out out/city --turbidity-kind preetham-t --turbidities 2,4,6 --albedo 0.15\n"
-      "  skylut table --out out/quick --altitudes-km 0 --suns 45:180 --wavelengths-nm 380:780:20 --save-maps");
+      "  skylut table --out out/quick --altitudes-km 0 --suns 45:180 --wavelengths-nm 380:780:20 "
+      "--save-maps");
   command.add_option("--out", options->out, "folder for the results, created if need be")
       ->required()
       ->type_name("DIR");
   add_numbers(command, "--altitudes-km", options->altitudes_km, {0.0, kHighestAltitude_km, "km"},
               "of the observers above the ground, 0 to 30");
-  add_numbers(command, "--turbidities", options->turbidities, {0.0, 1e6, ""}, "of the kind of --turbidity-kind");
-  command.add_option("--suns", options->suns, "zenith angle (0 to 96) and azimuth (clockwise from north) in degrees")
+  add_numbers(command, "--turbidities", options->turbidities, {0.0, 1e6, ""},
+              "of the kind of --turbidity-kind");
+  command
+      .add_option("--suns", options->suns,
+                  "zenith angle (0 to 96) and azimuth (clockwise from north) in degrees")
       ->capture_default_str()
       ->type_name("Z:A,...");
   command.add_option("--weights", options->weights, "of the directions in the fits: uniform or solid-angle")
       ->capture_default_str()
       ->type_name("NAME");
-  command.add_flag("--save-maps", options->save_maps, "also write each row's sky, DIR/maps/entry_001.csv ...");
+  command.add_flag("--save-maps", options->save_maps,
+                   "also write each row's sky, DIR/maps/entry_001.csv ...");
   options->scene.add_to(command);
   command.callback([options] { run(*options); });
 }

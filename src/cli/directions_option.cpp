@@ -12,8 +12,9 @@ std::vector<Direction> directions_of(const std::string& name_or_file) {
   if (name_or_file == "preetham343") return directions_preetham343();
   std::error_code ignored;
   if (!std::filesystem::exists(name_or_file, ignored))
-    throw InputError("--directions '{}': must be utm271, preetham343 or a CSV file with columns zenith_deg,azimuth_deg",
-                     name_or_file);
+    throw InputError(
+        "--directions '{}': must be utm271, preetham343 or a CSV file with columns zenith_deg,azimuth_deg",
+        name_or_file);
   return read_directions_csv(name_or_file);
 }
 

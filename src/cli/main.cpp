@@ -1,9 +1,10 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <unistd.h>
 
 #include "commands.hpp"
 #include "skylut/core/atomic_file.hpp"
@@ -47,7 +48,8 @@ int fail(int exit_code, const std::string& message) {
 
 // Output to a full disk or a closed pipe is a failure even when it is only the screen's text.
 int finish() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(kWorkFailed, "standard output: cannot write");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    return fail(kWorkFailed, "standard output: cannot write");
   return kDone;
 }
 
@@ -63,6 +65,7 @@ int run(int argc, char** argv) {
   app.footer(kExamples);
   skylut::cli::add_table_command(app);
   skylut::cli::add_map_command(app);
+  skylut::cli::add_solve_command(app);
   try {
     app.parse(argc, argv);
     return finish();

@@ -32,7 +32,8 @@ double parse_number(const std::string& what, const std::string& text, const Numb
   return value;
 }
 
-std::vector<double> parse_numbers(const std::string& what, const std::string& text, const NumberRange& range) {
+std::vector<double> parse_numbers(const std::string& what, const std::string& text,
+                                  const NumberRange& range) {
   std::vector<double> values;
   for (const std::string& part : split(text, ',')) values.push_back(parse_number(what, part, range));
   return values;
@@ -67,7 +68,8 @@ CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector
                          const NumberRange& range, const std::string& description) {
   return command
       .add_option_function<std::string>(
-          name, [&values, name, range](const std::string& text) { values = parse_numbers(name, text, range); },
+          name,
+          [&values, name, range](const std::string& text) { values = parse_numbers(name, text, range); },
           description)
       ->type_name("LIST")
       ->default_str(fmt::format("{}", fmt::join(values, ",")));

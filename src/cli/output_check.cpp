@@ -28,7 +28,8 @@ void require_writable_file(const std::string& option, const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
     throw InputError("{} {}: no such folder: {}", option, file.string(), folder.string());
-  if (!fs::exists(file, ignored) || fs::is_regular_file(file, ignored)) require_access(option, folder, W_OK | X_OK);
+  if (!fs::exists(file, ignored) || fs::is_regular_file(file, ignored))
+    require_access(option, folder, W_OK | X_OK);
 }
 
 void require_writable_folder(const std::string& option, const fs::path& folder) {

@@ -23,7 +23,8 @@ Quality parse_quality(const std::string& text) {
 
 void SceneOptions::add_to(CLI::App& command) {
   const std::string air = "Air";
-  command.add_option("--profile", profile_, "layered atmosphere: a name (skylut profile list) or a TOML file")
+  command
+      .add_option("--profile", profile_, "layered atmosphere: a name (skylut profile list) or a TOML file")
       ->capture_default_str()
       ->type_name("NAME|FILE")
       ->group(air);
@@ -42,16 +43,21 @@ void SceneOptions::add_to(CLI::App& command) {
   command
       .add_option_function<std::string>(
           "--ozone-du",
-          [this](const std::string& text) { ozone_du_ = parse_number("--ozone-du", text, {0.0, 1000.0, "DU"}); },
+          [this](const std::string& text) {
+            ozone_du_ = parse_number("--ozone-du", text, {0.0, 1000.0, "DU"});
+          },
           "ozone column in Dobson units; default: the profile's")
       ->type_name("NUMBER")
       ->group(air);
 
-  const std::string place = "Place: gives gravity and the Earth's radius (default: standard gravity, 6371 km)";
+  const std::string place =
+      "Place: gives gravity and the Earth's radius (default: standard gravity, 6371 km)";
   command.add_option("--latitude", latitude_, "geodetic, decimal degrees or as 48:51:24N")
       ->type_name("ANGLE")
       ->group(place);
-  command.add_option("--longitude", longitude_, "decimal degrees or as 2d21'03\"E")->type_name("ANGLE")->group(place);
+  command.add_option("--longitude", longitude_, "decimal degrees or as 2d21'03\"E")
+      ->type_name("ANGLE")
+      ->group(place);
   add_number(command, "--height-m", height_m_, {-500.0, 9000.0, "m"}, "of the ground above the ellipsoid")
       ->group(place);
 
@@ -99,12 +105,13 @@ TransferOptions SceneOptions::transfer() const {
 }
 
 std::string SceneOptions::command_line() const {
-  std::string text = fmt::format("--profile {} --turbidity-kind {} --albedo {} --wavelengths-nm {} --quality {}",
-                                 profile_, turbidity_kind_, albedo_, wavelengths_, quality_);
+  std::string text =
+      fmt::format("--profile {} --turbidity-kind {} --albedo {} --wavelengths-nm {} --quality {}", profile_,
+                  turbidity_kind_, albedo_, wavelengths_, quality_);
   if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
   if (const std::optional<Place> where = place())
-    text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg, where->longitude_deg,
-                        where->height_m);
+    text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg,
+                        where->longitude_deg, where->height_m);
   return text;
 }
 

@@ -13,7 +13,8 @@ std::vector<Direction> Projection::directions() const {
 }
 
 LatLongProjection::LatLongProjection(int height) : height_(height) {
-  if (height < 2 || height > 8192) throw InputError("map height {} pixels: must lie within 2 to 8192", height);
+  if (height < 2 || height > 8192)
+    throw InputError("map height {} pixels: must lie within 2 to 8192", height);
 }
 
 Direction LatLongProjection::direction(int column, int row) const {
@@ -31,8 +32,8 @@ std::string LatLongProjection::orientation() const {
 
 std::unique_ptr<Projection> make_projection(const std::string& name, int height) {
   if (name == "latlong") return std::make_unique<LatLongProjection>(height);
-  throw InputError("projection '{}': supported is latlong (fisheye, cube and octahedral are not available yet)",
-                   name);
+  throw InputError(
+      "projection '{}': supported is latlong (fisheye, cube and octahedral are not available yet)", name);
 }
 
 }  // namespace skylut

@@ -44,9 +44,12 @@ using Triple = std::array<float, 3>;
 
 std::string suffix(SkyChannels channels) {
   switch (channels) {
-    case SkyChannels::rgb: return "_rgb";
-    case SkyChannels::xyz: return "_xyz";
-    case SkyChannels::spectral: return "_spectral";
+    case SkyChannels::rgb:
+      return "_rgb";
+    case SkyChannels::xyz:
+      return "_xyz";
+    case SkyChannels::spectral:
+      return "_spectral";
   }
   return "";
 }
@@ -132,7 +135,8 @@ std::vector<SkyChannels> parse_sky_channels(const std::string& text) {
     } else if (part == "spectral") {
       channels.push_back(SkyChannels::spectral);
     } else {
-      throw InputError("channels '{}': must be rgb, xyz, spectral or several of them as in rgb,spectral", text);
+      throw InputError("channels '{}': must be rgb, xyz, spectral or several of them as in rgb,spectral",
+                       text);
     }
   }
   return channels;
@@ -148,7 +152,8 @@ std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannel
 
 void write_sky_exr(const std::filesystem::path& path, const SkyMap& map, const Projection& projection,
                    SkyChannels channels) {
-  const auto pixels = static_cast<std::size_t>(projection.width()) * static_cast<std::size_t>(projection.height());
+  const auto pixels =
+      static_cast<std::size_t>(projection.width()) * static_cast<std::size_t>(projection.height());
   if (map.directions.size() != pixels)
     throw InputError("sky map of {} directions: the {} picture has {} pixels", map.directions.size(),
                      projection.name(), pixels);
@@ -172,7 +177,8 @@ void write_sky_exr(const std::filesystem::path& path, const SkyMap& map, const P
     for (std::size_t i = 0; i < count; ++i)
       add_channel(header, frame, spectral_channel(map.wavelengths[i]), map.radiance.data() + i, count);
     header.insert("spectralLayoutVersion", Imf::StringAttribute("1.0"));
-    header.insert("emissiveUnits", Imf::StringAttribute("W.m^-2.sr^-1"));  // the only value that readers accept
+    header.insert("emissiveUnits",
+                  Imf::StringAttribute("W.m^-2.sr^-1"));  // the only value that readers accept
     header.insert("skyRadianceUnit", Imf::StringAttribute("W.m^-2.sr^-1.nm^-1"));
   }
 

@@ -25,7 +25,8 @@ void check(const SkyScene& scene) {
     require_within("sun zenith angle", sun.zenith_deg, 0.0, kLowestSunZenith_deg, "deg");
   for (const Direction& direction : scene.directions)
     require_within("view zenith angle", direction.zenith_deg, 0.0, 180.0, "deg");
-  if (scene.altitudes_km.empty() || scene.turbidities.empty() || scene.suns.empty() || scene.directions.empty())
+  if (scene.altitudes_km.empty() || scene.turbidities.empty() || scene.suns.empty() ||
+      scene.directions.empty())
     throw InputError("sky scene: needs at least one altitude, turbidity, sun and direction");
 }
 
@@ -98,9 +99,9 @@ std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& o
     map.radiance.reserve(map.directions.size() * wavelengths);
     for (std::size_t direction = 0; direction < map.directions.size(); ++direction)
       for (std::size_t i = 0; i < wavelengths; ++i)
-        map.radiance.push_back(static_cast<float>(
-            irradiance[i] * sky.at(load * wavelengths + i, observer, views.sun_index(sun),
-                                   views.view_index(direction, sun))));
+        map.radiance.push_back(
+            static_cast<float>(irradiance[i] * sky.at(load * wavelengths + i, observer, views.sun_index(sun),
+                                                      views.view_index(direction, sun))));
     add_colours(map, weights);
   });
   return maps;

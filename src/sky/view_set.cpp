@@ -35,7 +35,8 @@ ViewSet::ViewSet(std::span<const Direction> views, std::span<const Direction> su
   sort_unique(unique_views_);
   for (const Direction& sun : suns) {
     sun_index_.push_back(index_of(unique_sun_zeniths_deg_, sun.zenith_deg));
-    for (const Direction& view : views) view_index_.push_back(index_of(unique_views_, relative_view(view, sun)));
+    for (const Direction& view : views)
+      view_index_.push_back(index_of(unique_views_, relative_view(view, sun)));
   }
 }
 

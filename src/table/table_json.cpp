@@ -22,8 +22,9 @@ Json units() {
           {"zenith_deg", "degrees from the local vertical"},
           {"azimuth_deg", "degrees clockwise from north"},
           {"zenith", "Y in kcd m-2; x, y CIE 1931 2 deg chromaticity"},
-          {"formula", "v = v_zenith F(theta,gamma)/F(0,theta_sun), "
-                      "F = (1 + A exp(B/cos theta)) (1 + C exp(D gamma) + E cos^2 gamma), gamma in radians"},
+          {"formula",
+           "v = v_zenith F(theta,gamma)/F(0,theta_sun), "
+           "F = (1 + A exp(B/cos theta)) (1 + C exp(D gamma) + E cos^2 gamma), gamma in radians"},
           {"rmse", "Y: relative; x, y: absolute"},
           {"worst_residual", "Y: relative; x, y: absolute; signed, model minus simulation"}};
 }
@@ -130,7 +131,8 @@ Json report_json(const FitReport& report, const std::vector<Direction>& directio
           {"iterations", report.iterations}};
 }
 
-Json row_json(std::size_t row, const TableEntry& entry, const SkyFit& fit, const std::vector<Direction>& directions) {
+Json row_json(std::size_t row, const TableEntry& entry, const SkyFit& fit,
+              const std::vector<Direction>& directions) {
   return {{"row", row},
           {"altitude_km", entry.altitude_km},
           {"turbidity", entry.turbidity},
@@ -147,9 +149,12 @@ std::string table_json(const SkyTable& table, const SkyScene& scene, const Table
   Json rows = Json::array();
   for (std::size_t i = 0; i < table.entries.size(); ++i)
     rows.push_back(row_json(i + 1, table.entries[i], table.fits[i], scene.directions));
-  const Json file = {{"format", "skylut table"}, {"format_version", 1},
-                     {"skylut_version", kVersion}, {"command", origin.command},
-                     {"units", units()},          {"inputs", inputs(scene, origin)},
+  const Json file = {{"format", "skylut table"},
+                     {"format_version", 1},
+                     {"skylut_version", kVersion},
+                     {"command", origin.command},
+                     {"units", units()},
+                     {"inputs", inputs(scene, origin)},
                      {"rows", rows}};
   return file.dump(1) + "\n";
 }

@@ -16,7 +16,8 @@ using FlagsOf = std::array<bool, 5> (*)(const FitReport&);
 // "A_Y B_Y D_x": the coefficients of a fit that a flag is set for.
 std::string flagged(const SkyFit& fit, FlagsOf flags_of) {
   std::string names;
-  for (const auto& [channel, report] : {std::pair{"Y", &fit.Y}, std::pair{"x", &fit.x}, std::pair{"y", &fit.y}}) {
+  for (const auto& [channel, report] :
+       {std::pair{"Y", &fit.Y}, std::pair{"x", &fit.x}, std::pair{"y", &fit.y}}) {
     const std::array<bool, 5> flags = flags_of(*report);
     for (std::size_t i = 0; i < flags.size(); ++i)
       if (flags[i]) names += fmt::format(" {}_{}", kPerezNames[i], channel);
@@ -58,13 +59,14 @@ std::string table_summary(const SkyTable& table, const std::string& turbidity_ki
                  "zenith", "azim.", "kcd/m2", "", "", "%", "", "");
   for (std::size_t i = 0; i < table.entries.size(); ++i) {
     const TableEntry& row = table.entries[i];
-    fmt::format_to(out, "{:>4} {:>8} {:>12}  {:>6} {:>6} {:>10.4g} {:>7.4f} {:>7.4f}  {:>7.2f} {:>7.4f} {:>7.4f}{}\n",
-                   i + 1, row.altitude_km, row.turbidity, row.sun.zenith_deg, row.sun.azimuth_deg, row.zenith.Y,
-                   row.zenith.x, row.zenith.y, 100.0 * row.rmse_Y_rel, row.rmse_x, row.rmse_y, notes(table.fits[i]));
+    fmt::format_to(
+        out, "{:>4} {:>8} {:>12}  {:>6} {:>6} {:>10.4g} {:>7.4f} {:>7.4f}  {:>7.2f} {:>7.4f} {:>7.4f}{}\n",
+        i + 1, row.altitude_km, row.turbidity, row.sun.zenith_deg, row.sun.azimuth_deg, row.zenith.Y,
+        row.zenith.x, row.zenith.y, 100.0 * row.rmse_Y_rel, row.rmse_x, row.rmse_y, notes(table.fits[i]));
   }
-  const auto worst = std::max_element(
-      table.entries.begin(), table.entries.end(),
-      [](const TableEntry& a, const TableEntry& b) { return a.rmse_Y_rel < b.rmse_Y_rel; });
+  const auto worst =
+      std::max_element(table.entries.begin(), table.entries.end(),
+                       [](const TableEntry& a, const TableEntry& b) { return a.rmse_Y_rel < b.rmse_Y_rel; });
   if (worst != table.entries.end())
     fmt::format_to(out, "{} rows; the largest rmse of Y is {:.2f} % in row {}\n", table.entries.size(),
                    100.0 * worst->rmse_Y_rel, worst - table.entries.begin() + 1);

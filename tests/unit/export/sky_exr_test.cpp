@@ -123,7 +123,8 @@ TEST_F(SkyExr, SameMapSameBytes) {
 
 TEST_F(SkyExr, AFullDiskIsAnErrorAndLeavesNothing) {
   EXPECT_THROW(write_sky_exr("/dev/full", map_, projection_, SkyChannels::rgb), WorkError);
-  EXPECT_THROW(write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb), WorkError);
+  EXPECT_THROW(write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb),
+               WorkError);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
@@ -143,7 +144,8 @@ TEST_F(SkyExr, CountsColoursOutsideRec709) {
 TEST(SkyChannels, NamesAndFiles) {
   EXPECT_EQ(parse_sky_channels("rgb,spectral"),
             (std::vector<SkyChannels>{SkyChannels::rgb, SkyChannels::spectral}));
-  for (const char* text : {"", "rgb,", "RGB", "rgb xyz", "hsv"}) EXPECT_THROW(parse_sky_channels(text), InputError);
+  for (const char* text : {"", "rgb,", "RGB", "rgb xyz", "hsv"})
+    EXPECT_THROW(parse_sky_channels(text), InputError);
   EXPECT_EQ(sky_exr_path("out/sky.exr", SkyChannels::rgb), "out/sky_rgb.exr");
   EXPECT_EQ(sky_exr_path("a.b.exr", SkyChannels::spectral), "a.b_spectral.exr");
   EXPECT_EQ(sky_exr_path("sky_xyz.exr", SkyChannels::xyz), "sky_xyz.exr");

@@ -17,7 +17,8 @@ inline SkyMap made_up_map(std::vector<Direction> directions) {
   for (std::size_t direction = 0; direction < map.directions.size(); ++direction) {
     std::vector<double> radiance;
     for (std::size_t i = 0; i < map.wavelengths.size(); ++i) {
-      map.radiance.push_back(0.01f + 0.001f * static_cast<float>(direction) + 0.0001f * static_cast<float>(i));
+      map.radiance.push_back(0.01f + 0.001f * static_cast<float>(direction) +
+                             0.0001f * static_cast<float>(i));
       radiance.push_back(map.radiance.back());
     }
     map.colour.push_back(to_yxy(matching.integrate(map.wavelengths, radiance)));

@@ -10,7 +10,8 @@ namespace {
 
 void expect_near(const PerezCoefficients& found, const PerezCoefficients& expected) {
   // Made from the formula without noise: the fit ends at rounding, far below what a table shows.
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(found.values()[i], expected.values()[i], 1e-5) << kPerezNames[i];
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(found.values()[i], expected.values()[i], 1e-5) << kPerezNames[i];
 }
 
 TEST(FitTable, KnownSkiesComeBackInTheirRows) {

@@ -23,7 +23,8 @@ SkyScene scene() {
 
 std::string text() {
   const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0})};
-  const TableOrigin origin{"skylut table --albedo 0.15", "draft", "uniform", "utm271", Place{48.0, 2.0, 35.0}};
+  const TableOrigin origin{"skylut table --albedo 0.15", "draft", "uniform", "utm271",
+                           Place{48.0, 2.0, 35.0}};
   return table_json(fit_table(maps, {}, 1), scene(), origin);
 }
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "skylut/core/directions.hpp"
+#include "skylut/optics/optical_state.hpp"
+
+namespace skylut {
+
+/// One observer under one sun in spherical shells.
+struct MonteCarloRequest {
+  double observer_altitude_km = 0.0;  ///< [0, top level]
+  double sun_zenith_deg = 0.0;        ///< at the observer's vertical, [0, 180]
+  std::vector<RelativeView> views;    ///< directions the observer LOOKS
+};
+
+struct MonteCarloOptions {
+  std::uint64_t photons = 100'000;  ///< per view, 128 to 1e12; rounded up to a multiple of 64 (the batches)
+  std::uint64_t seed = 1;
+  int orders = 0;   ///< highest number of scatterings and ground reflections; 0: all
+  int threads = 0;  ///< 0: all cores. Results do not depend on it.
+};
+
+/// Mean and one standard error of it, from 64 independent batches; per unit solar irradiance on a plane
+/// normal to the beam at the top of the atmosphere, sr⁻¹, without the direct sun.
+struct MonteCarloRadiance {
+  double radiance = 0.0;
+  double standard_error = 0.0;
+};
+
+/// Radiance of the sky by backward Monte Carlo in spherical shells (Collins et al. 1972): photons leave the
+/// observer against the light; each scattering and ground reflection adds the probability that the light
+/// came straight from the sun. All orders, exact phase functions, exact straight paths, planet shadow,
+/// Lambertian ground; unbiased. Shares nothing with solve_sky_radiance but its data types, so each can
+/// judge the other. [plane-parallel-and-monte-carlo.md §2]
+///
+/// The result is a function of (photons, seed) and the view alone: not of threads or other views.
+/// Very peaked phase functions (forward value above some 1000) give rare large contributions: the error is
+/// then honest but falls slowly.
+///
+/// @return one estimate per view
+/// @throws InputError  for values outside the ranges above, or an infinite planet radius
+std::vector<MonteCarloRadiance> solve_monte_carlo(const Shells& shells, const OpticalColumn& column,
+                                                  const MonteCarloRequest& request,
+                                                  const MonteCarloOptions& options);
+
+}  // namespace skylut

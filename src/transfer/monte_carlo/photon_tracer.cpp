@@ -1,0 +1,117 @@
+#include "photon_tracer.hpp"
+
+#include <cmath>
+
+#include "skylut/core/constants.hpp"
+
+namespace skylut::monte_carlo {
+namespace {
+
+/// Photons lighter than this, relative to where they started, play Russian roulette: one in ten goes on,
+/// ten times heavier. Unbiased, and paths in dark media end.
+constexpr double kRouletteWeight = 0.05;
+constexpr double kRouletteSurvival = 0.1;
+
+}  // namespace
+
+PhotonTracer::PhotonTracer(const Shells& shells, const OpticalColumn& column, const Vector& to_sun,
+                           int orders)
+    : shells_(shells, column), to_sun_(to_sun), orders_(orders), ground_albedo_(column.ground_albedo) {
+  for (const Scatterer& scatterer : column.scatterers) samplers_.emplace_back(*scatterer.phase);
+  for (std::size_t layer = 0; layer < column.extinction_depth.size(); ++layer) {
+    std::vector<double> shares;
+    for (const Scatterer& scatterer : column.scatterers)
+      shares.push_back(column.extinction_depth[layer] > 0.0
+                           ? scatterer.scattering_depth[layer] / column.extinction_depth[layer]
+                           : 0.0);
+    albedo_.push_back(std::move(shares));
+  }
+}
+
+double PhotonTracer::sunlight_scattered(const Place& place, const Vector& direction) const {
+  const double transmitted = std::exp(-shells_.depth_to_top(place, to_sun_));
+  if (transmitted == 0.0) return 0.0;
+  // Backwards: light from the sun turns by the same angle as the photon that goes towards it.
+  const double cos_angle = std::fmin(1.0, std::fmax(-1.0, dot(direction, to_sun_)));
+  double scattered = 0.0;
+  for (std::size_t s = 0; s < samplers_.size(); ++s)
+    if (albedo_[place.layer][s] > 0.0) scattered += albedo_[place.layer][s] * samplers_[s].value(cos_angle);
+  return scattered / (4.0 * kPi) * transmitted;
+}
+
+double PhotonTracer::sunlight_reflected(const Place& place) const {
+  const double cos_sun = dot(normalised(place.position), to_sun_);
+  if (cos_sun <= 0.0) return 0.0;
+  return ground_albedo_ / kPi * cos_sun * std::exp(-shells_.depth_to_top(place, to_sun_));
+}
+
+double PhotonTracer::scatter(const Place& place, Vector& direction, RandomStream& random) const {
+  const std::vector<double>& shares = albedo_[place.layer];
+  double albedo = 0.0;
+  for (double share : shares) albedo += share;
+  if (albedo == 0.0) return 0.0;
+  double rest = random.uniform() * albedo;
+  std::size_t chosen = shares.size();
+  for (std::size_t s = 0; s < shares.size(); ++s) {
+    if (shares[s] == 0.0) continue;
+    chosen = s;
+    if (rest < shares[s]) break;
+    rest -= shares[s];
+  }
+  const PhaseSampler::Sample sample = samplers_[chosen].draw(random);
+  direction = turned(direction, sample.cos_angle, 2.0 * kPi * random.uniform());
+  return albedo * sample.weight;
+}
+
+void PhotonTracer::reflect(const Place& place, Vector& direction, RandomStream& random) const {
+  // Lambert: the cosine's square is uniform.
+  const double cos_zenith = std::sqrt(1.0 - random.uniform());
+  direction = turned(normalised(place.position), cos_zenith, 2.0 * kPi * random.uniform());
+}
+
+WalkEnd PhotonTracer::fly(Place& place, const Vector& direction, RandomStream& random) const {
+  double left = -std::log(1.0 - random.uniform());
+  double flown = 0.0;
+  std::size_t in_layer = place.layer;
+  const WalkEnd end = shells_.walk(place, direction, [&](std::size_t layer, double start, double length) {
+    const double extinction = shells_.extinction_per_km(layer);
+    in_layer = layer;
+    if (left < extinction * length) {
+      flown = start + left / extinction;
+      return false;
+    }
+    left -= extinction * length;
+    flown = start + length;
+    return true;
+  });
+  place = {along(place.position, direction, flown), in_layer};
+  return end;
+}
+
+double PhotonTracer::trace(const FirstCollision::Draw& first, Vector direction, RandomStream& random) const {
+  Place place = first.place;
+  bool at_ground = first.ground;
+  double weight = 1.0;  // relative to the first collision's
+  double found = 0.0;
+  for (int order = 1;; ++order) {
+    found += weight * (at_ground ? sunlight_reflected(place) : sunlight_scattered(place, direction));
+    if (order == orders_) break;
+    if (at_ground) {
+      reflect(place, direction, random);
+      weight *= ground_albedo_;
+    } else {
+      weight *= scatter(place, direction, random);
+    }
+    if (weight == 0.0) break;
+    if (std::abs(weight) < kRouletteWeight) {
+      if (random.uniform() >= kRouletteSurvival) break;
+      weight /= kRouletteSurvival;
+    }
+    const WalkEnd end = fly(place, direction, random);
+    if (end == WalkEnd::top) break;
+    at_ground = end == WalkEnd::ground;
+  }
+  return first.weight * found;
+}
+
+}  // namespace skylut::monte_carlo
