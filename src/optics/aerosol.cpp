@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -10,6 +11,24 @@ namespace skylut {
 namespace {
 
 constexpr double kReferenceWavelength_nm = 500.0;
+
+// Part of an exponential exp(-z/H), normalised on [0, top], below an altitude.
+double exponential_below(double scale_height_km, double altitude_km, double top_km) {
+  return std::expm1(-altitude_km / scale_height_km) / std::expm1(-top_km / scale_height_km);
+}
+
+// ∫₀^z of a Gaussian of unit area.
+double gaussian_below(const AerosolShape& shape, double altitude_km) {
+  const auto cumulative = [&](double z) {
+    return 0.5 *
+           std::erf((z - shape.stratospheric_centre_km) / (shape.stratospheric_width_km * std::sqrt(2.0)));
+  };
+  return cumulative(altitude_km) - cumulative(0.0);
+}
+
+double stratospheric_part(const AerosolShape& shape, double aod500) {
+  return aod500 > shape.stratospheric_aod500 ? shape.stratospheric_aod500 / aod500 : 1.0;
+}
 
 double linear_held(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (at <= x.front()) return y.front();
@@ -19,6 +38,25 @@ double linear_held(const std::vector<double>& x, const std::vector<double>& y, d
 }
 
 }  // namespace
+
+double AerosolShape::part_between(double lower_km, double upper_km, double top_km, double aod500) const {
+  const double stratospheric = stratospheric_part(*this, aod500);
+  const double haze = exponential_below(haze_scale_height_km, upper_km, top_km) -
+                      exponential_below(haze_scale_height_km, lower_km, top_km);
+  const double layer =
+      (gaussian_below(*this, upper_km) - gaussian_below(*this, lower_km)) / gaussian_below(*this, top_km);
+  return stratospheric * layer + (1.0 - stratospheric) * haze;
+}
+
+double AerosolShape::density_per_km(double altitude_km, double top_km, double aod500) const {
+  const double stratospheric = stratospheric_part(*this, aod500);
+  const double haze = std::exp(-altitude_km / haze_scale_height_km) /
+                      (-haze_scale_height_km * std::expm1(-top_km / haze_scale_height_km));
+  const double distance = (altitude_km - stratospheric_centre_km) / stratospheric_width_km;
+  const double layer = std::exp(-0.5 * distance * distance) /
+                       (stratospheric_width_km * std::sqrt(2.0 * kPi) * gaussian_below(*this, top_km));
+  return stratospheric * layer + (1.0 - stratospheric) * haze;
+}
 
 void AerosolOptics::validate() const {
   if (!(angstrom_exponent >= -1.0 && angstrom_exponent <= 4.0))

@@ -23,18 +23,6 @@ std::vector<double> layer_levels_km(double top_km) {
   return levels;
 }
 
-// Part of a normalised exponential exp(-z/H) on [0, top] between two altitudes.
-double exponential_part(double scale_height_km, double lower_km, double upper_km, double top_km) {
-  const auto below = [&](double z) { return -std::expm1(-z / scale_height_km); };
-  return (below(upper_km) - below(lower_km)) / below(top_km);
-}
-
-// Part of a Gaussian, normalised on [0, top], between two altitudes.
-double gaussian_part(double centre_km, double width_km, double lower_km, double upper_km, double top_km) {
-  const auto below = [&](double z) { return std::erf((z - centre_km) / (width_km * std::sqrt(2.0))); };
-  return (below(upper_km) - below(lower_km)) / (below(top_km) - below(0.0));
-}
-
 void check_options(const AirOptions& options) {
   if (!(options.ground_albedo >= 0.0 && options.ground_albedo <= 1.0))
     throw InputError("ground albedo {}: must lie within 0-1", options.ground_albedo);
@@ -110,12 +98,7 @@ double Air::aerosol_fraction(double lower_km, double upper_km, double aod500) co
     return gas_column_per_m2(profile_, extinction, lower_km, upper_km) /
            gas_column_per_m2(profile_, extinction, 0.0, top_km);
   }
-  const AerosolShape& shape = options_.aerosol.shape;
-  const double stratospheric =
-      aod500 > shape.stratospheric_aod500 ? shape.stratospheric_aod500 / aod500 : 1.0;
-  return stratospheric * gaussian_part(shape.stratospheric_centre_km, shape.stratospheric_width_km, lower_km,
-                                       upper_km, top_km) +
-         (1.0 - stratospheric) * exponential_part(shape.haze_scale_height_km, lower_km, upper_km, top_km);
+  return options_.aerosol.shape.part_between(lower_km, upper_km, top_km, aod500);
 }
 
 void Air::check(double wavelength_nm, double aod500) {
@@ -191,10 +174,12 @@ double Air::rayleigh_extinction_at_ground_per_km(double wavelength_nm) const {
 double Air::aerosol_extinction_at_ground_per_km(double wavelength_nm, double aod500) const {
   check(wavelength_nm, aod500);
   if (aod500 <= 0.0) return 0.0;
-  // The mean over the lowest millimetre stands for the limit.
-  constexpr double kGround_km = 1e-6;
-  return aod500 * options_.aerosol.relative_depth(wavelength_nm) * aerosol_fraction(0.0, kGround_km, aod500) /
-         kGround_km;
+  const double top_km = shells_.levels_km.back();
+  const std::vector<double>& given = profile_.relative_aerosol_extinction;
+  const double per_km =
+      given.empty() ? options_.aerosol.shape.density_per_km(0.0, top_km, aod500)
+                    : 1000.0 * given.front() / gas_column_per_m2(profile_, {"aerosol", given}, 0.0, top_km);
+  return aod500 * options_.aerosol.relative_depth(wavelength_nm) * per_km;
 }
 
 }  // namespace skylut

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "continuation.hpp"
 #include "level_quantities.hpp"
@@ -23,7 +24,7 @@ constexpr const char* kStandardName = "ussa1976";
 constexpr double kOxygenFraction = 0.209476;
 constexpr double kCarbonDioxideFraction = 360e-6;
 
-void set_temperature_and_pressure(const ProfileFile& file, Profile& profile) {
+void set_temperature_and_pressure(const ProfileFile& file, const std::string& path, Profile& profile) {
   profile.temperature_K = file.temperature_K;
   profile.pressure_hPa = file.pressure_hPa;
   if (file.standard_layers)
@@ -36,9 +37,12 @@ void set_temperature_and_pressure(const ProfileFile& file, Profile& profile) {
     const std::vector<std::string> names = profile_names();
     if (std::find(names.begin(), names.end(), file.temperature_and_pressure_of) == names.end() ||
         file.temperature_and_pressure_of == file.name)
-      throw InputError("profile {}: temperature_and_pressure_of = '{}': must be another of {}", file.name,
+      throw InputError("{}: temperature_and_pressure_of = '{}': must be another of {}", path,
                        file.temperature_and_pressure_of, fmt::join(names, ", "));
     const Profile other = load_profile(file.temperature_and_pressure_of);
+    if (file.altitude_km.back() > other.altitude_km.back())
+      throw InputError("{}: column.altitude.values reach {} km: must end with {} at {} km or below", path,
+                       file.altitude_km.back(), other.name, other.altitude_km.back());
     for (double z : file.altitude_km) {
       const AirState state = air_state(other, z);
       profile.temperature_K.push_back(state.temperature_K);
@@ -103,12 +107,19 @@ void set_ozone_above(Profile& profile, double column_per_m2) {
   }
 }
 
-void scale_totals(const TotalColumns& total, Profile& profile) {
-  if (total.ozone_du) scale_gas_column(profile, "ozone", *total.ozone_du * kDobsonUnit_per_m2);
-  if (total.nitrogen_dioxide_du)
-    scale_gas_column(profile, "nitrogen_dioxide", *total.nitrogen_dioxide_du * kDobsonUnit_per_m2);
-  if (total.water_vapour_cm)
-    scale_gas_column(profile, "water_vapour", *total.water_vapour_cm * water_molecules_per_m2_cm());
+void scale_totals(const TotalColumns& total, const std::string& path, Profile& profile) {
+  const auto scale = [&](const char* key, const std::optional<double>& value, const char* gas_name,
+                         double per_m2) {
+    if (!value) return;
+    const GasProfile* gas = profile.gas(gas_name);
+    if (gas == nullptr || *std::max_element(gas->density_per_m3.begin(), gas->density_per_m3.end()) <= 0.0)
+      throw InputError("{}: total.{} = {}: there is no {} to scale; give it a column that is not all 0", path,
+                       key, *value, gas_name);
+    scale_gas_column(profile, gas_name, *value * per_m2);
+  };
+  scale("ozone_du", total.ozone_du, "ozone", kDobsonUnit_per_m2);
+  scale("nitrogen_dioxide_du", total.nitrogen_dioxide_du, "nitrogen_dioxide", kDobsonUnit_per_m2);
+  scale("water_vapour_cm", total.water_vapour_cm, "water_vapour", water_molecules_per_m2_cm());
 }
 
 std::string file_of(const std::string& name_or_path) {
@@ -128,7 +139,8 @@ std::string file_of(const std::string& name_or_path) {
 }  // namespace
 
 Profile load_profile(const std::string& name_or_path) {
-  const ProfileFile file = read_profile_file(file_of(name_or_path));
+  const std::string path = file_of(name_or_path);
+  const ProfileFile file = read_profile_file(path);
   Profile profile;
   profile.name = file.name;
   profile.description = file.description;
@@ -137,7 +149,7 @@ Profile load_profile(const std::string& name_or_path) {
   profile.described_top_km = file.altitude_km.back();
   profile.columns = file.columns;
   profile.relative_aerosol_extinction = file.relative_aerosol_extinction;
-  set_temperature_and_pressure(file, profile);
+  set_temperature_and_pressure(file, path, profile);
   set_gases(file, profile);
   if (file.report_2005) add_report_gases(*file.report_2005, profile);
   if (profile.altitude_km.back() < kAtmosphereTop_km) continue_to_top(profile, load_profile(kStandardName));
@@ -147,7 +159,7 @@ Profile load_profile(const std::string& name_or_path) {
         "UTM report 2005, eqs. 3.7, 3.11, 3.12; humidity and water as printed in its Table 3.1";
     set_ozone_above(profile, profile.quantities.back().ozone_atm_cm * 1000.0 * kDobsonUnit_per_m2);
   }
-  scale_totals(file.total, profile);
+  scale_totals(file.total, path, profile);
   if (!file.report_2005) {
     profile.quantities = physical_quantities(profile);
     profile.quantities_source =

@@ -6,11 +6,11 @@
 #include <memory>
 #include <mutex>
 
-#include "block.hpp"
-#include "block_optics.hpp"
-#include "discretisation.hpp"
-#include "kernel_problem.hpp"
-#include "ray_geometry.hpp"
+#include "spherical/block.hpp"
+#include "spherical/block_optics.hpp"
+#include "spherical/discretisation.hpp"
+#include "spherical/kernel_problem.hpp"
+#include "spherical/ray_geometry.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
 
@@ -190,7 +190,7 @@ SkyRadiance solve_sky_radiance(const Shells& shells, std::span<const OpticalColu
     const OpticsView view{optics.scatterers, optics.extinction_per_km.data(), optics.source_factor.data(),
                           optics.scattering_per_km.data(), optics.ground_albedo.data()};
     BlockRays queue(*block.group, optics, block.columns, request, rays, result);
-    const IterationLimits limits{options.orders, 200, 1e-3f};
+    const IterationLimits limits{options.orders, 200, static_cast<float>(block.group->grid.limits.tolerance)};
     if (!kernel.run_block(block.group->tables.view(), view, limits, queue))
       throw WorkError("orders of scattering did not converge in {} iterations", limits.max_iterations);
     if (options.progress) {

@@ -17,6 +17,12 @@ struct AerosolShape {
   double stratospheric_aod500 = 0.005;
   double stratospheric_centre_km = 19.0;  ///< altitude of its maximum; Gaussian
   double stratospheric_width_km = 4.0;    ///< its standard deviation
+
+  /// Part of the optical depth between two altitudes, of an atmosphere that ends at top_km; 1 over all.
+  double part_between(double lower_km, double upper_km, double top_km, double aod500) const;
+
+  /// Its derivative: extinction at one altitude per unit of optical depth, 1/km.
+  double density_per_km(double altitude_km, double top_km, double aod500) const;
 };
 
 /// What aerosol does to light, per unit of optical depth. The default is rural aerosol.
@@ -27,8 +33,8 @@ struct AerosolOptics {
   /// Single-scattering albedo and asymmetry by wavelength, linear in between, held constant beyond the
   /// ends. Rural aerosol at 70 % relative humidity of Shettle and Fenn 1979 (AFGL-TR-79-0214).
   std::vector<double> wavelength_nm{300.0, 337.1, 550.0, 694.3, 1060.0};
-  std::vector<double> single_scattering_albedo{0.938, 0.952, 0.946, 0.938, 0.873};
-  std::vector<double> asymmetry{0.693, 0.687, 0.664, 0.650, 0.631};
+  std::vector<double> single_scattering_albedo{0.9379, 0.9521, 0.9462, 0.9378, 0.8714};
+  std::vector<double> asymmetry{0.6928, 0.6865, 0.6630, 0.6498, 0.6314};
 
   /// Used unless the profile says where the aerosol is.
   AerosolShape shape;

@@ -9,6 +9,20 @@
 
 namespace skylut::transfer {
 
+/// The numbers behind a quality. Measured errors and times: docs/validation.md, "Convergence".
+struct QualityLimits {
+  double optical_step;      ///< largest scaled optical depth of a sublayer
+  double truncated_peak;    ///< largest share of the scattering that delta-M may cut off as forward peak
+  double polar_per_degree;  ///< polar nodes per hemisphere, per Legendre degree
+  int least_polar_nodes;
+  bool dense_sun_nodes;  ///< every half degree at the terminator
+  double ray_step_km;    ///< longest step of a line of sight
+  double
+      sunbeam_step_km;  ///< largest change of the sunbeam's lowest altitude along a step, near the terminator
+  double tolerance;     ///< of the iteration
+};
+QualityLimits limits_of(Quality quality);
+
 /// What fixes the discretisation of a column. It follows from the column alone, never from the other
 /// columns: that is what makes results independent of the batch. Columns with equal keys share the
 /// geometry and may share a block of lanes.
@@ -54,6 +68,7 @@ struct Discretisation {
   ShellGeometry sublayers;  ///< split for the sweep
   std::vector<int> layer_of_sublayer;
   AngularGrid angles;
+  QualityLimits limits;
   std::vector<double> sun_nodes_deg;
   SweepStencil stencil;
   BeamGeometry beam;

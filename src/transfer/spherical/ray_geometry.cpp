@@ -10,9 +10,8 @@ namespace skylut::transfer {
 
 namespace {
 
-/// Longest step of a line of sight. Over 10 km of a horizontal ray the sun's zenith angle changes by 0.09°
-/// and the altitude by 8 m: the optical depth towards a sun on the horizon is then linear to 0.3 %.
-constexpr double kLongestStep_km = 10.0;
+/// Where the sunbeam's lowest altitude lies within this of the ground, its optical depth changes fast.
+constexpr double kGrazing_km = 60.0;
 
 /// Sun's direction seen from a point of the ray. The ray starts at (0, 0, r₀), runs in the direction V; the
 /// sun is in the direction S.
@@ -78,7 +77,8 @@ std::vector<RayGeometry::Point> RayGeometry::trace(const Discretisation& grid, d
   for (std::size_t i = 1; i < crossings.size(); ++i) {
     const Point& from = crossings[i - 1];
     const Point& to = crossings[i];
-    const int parts = static_cast<int>(std::ceil((to.distance_km - from.distance_km) / kLongestStep_km));
+    const int parts =
+        static_cast<int>(std::ceil((to.distance_km - from.distance_km) / grid.limits.ray_step_km));
     for (int part = 1; part < parts; ++part) {
       const double distance = from.distance_km + (to.distance_km - from.distance_km) * part / parts;
       const double signed_distance = distance + along;
@@ -202,10 +202,21 @@ void RayGeometry::add_lit_parts(const Discretisation& grid, const std::vector<Po
 
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     std::vector<double> cut{points[i].distance_km};
+    const auto cut_at = [&](double end) {
+      const double start = cut.back();
+      const double near_perigee = sun_angles(start, altitude_at(start)).perigee_km;
+      const double far_perigee = sun_angles(end, altitude_at(end)).perigee_km;
+      const bool grazing = std::max(near_perigee, far_perigee) > -kGrazing_km &&
+                           std::min(near_perigee, far_perigee) < kGrazing_km;
+      const double pieces =
+          grazing ? std::ceil(std::abs(far_perigee - near_perigee) / grid.limits.sunbeam_step_km) : 1.0;
+      for (double piece = 1.0; piece < pieces; ++piece) cut.push_back(start + (end - start) * piece / pieces);
+      cut.push_back(end);
+    };
     for (const double edge : edges)
       if (edge > points[i].distance_km && edge < points[i + 1].distance_km && sun_height(edge) < 0.0)
-        cut.push_back(edge);
-    cut.push_back(points[i + 1].distance_km);
+        cut_at(edge);
+    cut_at(points[i + 1].distance_km);
     for (std::size_t part = 0; part + 1 < cut.size(); ++part) {
       if (!lit(0.5 * (cut[part] + cut[part + 1]))) continue;
       const double near_km = part == 0 ? points[i].altitude_km : altitude_at(cut[part]);

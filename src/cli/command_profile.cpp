@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "profile_report.hpp"
+#include "skylut/cli/commands.hpp"
+#include "skylut/core/errors.hpp"
+#include "skylut/optics/turbidity.hpp"
+#include "skylut/profile/profile.hpp"
+#include "skylut/site/place.hpp"
+
+namespace skylut::cli {
+
+namespace {
+
+struct ShowOptions {
+  std::string name;
+  bool json = false;
+  double turbidity = 0.0;
+  std::string turbidity_kind = "aod500";
+  std::string latitude;
+  std::string longitude = "0";
+  double height_m = 0.0;
+  std::optional<double> ozone_du;
+  double albedo = 0.2;
+};
+
+AirOptions air_options(const ShowOptions& options) {
+  AirOptions air;
+  air.ground_albedo = options.albedo;
+  air.ozone_du = options.ozone_du;
+  if (!options.latitude.empty()) {
+    const Place place = parse_place(options.latitude, options.longitude, options.height_m);
+    air.gravity_m_s2 = normal_gravity_m_s2(place);
+    air.planet_radius_km = radius_of_curvature_km(place);
+  }
+  return air;
+}
+
+void list_profiles() {
+  for (const std::string& name : profile_names())
+    fmt::print("{:<12} {}\n", name, load_profile(name).description);
+}
+
+void show_profile(const ShowOptions& options) {
+  const TurbidityKind kind = parse_turbidity_kind(options.turbidity_kind);
+  const Air air(load_profile(options.name), air_options(options));
+  const double aod500 = to_aod500({kind, options.turbidity}, air);
+  if (options.json)
+    fmt::print("{}\n", profile_json(air, aod500).dump(2));
+  else
+    fmt::print("{}", profile_text(air, aod500));
+}
+
+}  // namespace
+
+void add_profile_command(CLI::App& program) {
+  CLI::App* profile =
+      program.add_subcommand("profile", "Atmospheric profiles: which there are, what they hold");
+  profile->require_subcommand(1);
+  profile->add_subcommand("list", "Names of the profiles that come with skylut")->callback(list_profiles);
+
+  CLI::App* show =
+      profile->add_subcommand("show", "Levels, columns, optical depths and Table 3.1's quantities");
+  const auto options = std::make_shared<ShowOptions>();
+  show->add_option("name", options->name, "profile name or TOML file")->required();
+  show->add_flag("--json", options->json, "write JSON, in full precision");
+  show->add_option("--turbidity", options->turbidity, "aerosol load, shown in all kinds")
+      ->capture_default_str();
+  show->add_option("--turbidity-kind", options->turbidity_kind,
+                   "aod500, aod550, angstrom-beta, preetham-t or visibility-km")
+      ->capture_default_str();
+  CLI::Option* latitude = show->add_option(
+      "--latitude", options->latitude, "decimal or DMS; sets gravity and planet radius (default: standard)");
+  show->add_option("--longitude", options->longitude, "decimal or DMS")->needs(latitude);
+  show->add_option("--height-m", options->height_m, "of the ground above the ellipsoid")->needs(latitude);
+  show->add_option("--ozone-du", options->ozone_du, "ozone column, Dobson units (default: the profile's)");
+  show->add_option("--albedo", options->albedo, "ground albedo")->capture_default_str();
+  show->callback([options] { show_profile(*options); });
+}
+
+}  // namespace skylut::cli
