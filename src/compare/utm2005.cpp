@@ -8,7 +8,9 @@ namespace skylut {
 std::string Utm2005Verdict::text() const {
   std::string text;
   const auto append = [&text](bool failed, const char* name) {
-    if (failed) text += (text.empty() ? "" : "+") + std::string(name);
+    if (!failed) return;
+    if (!text.empty()) text += '+';
+    text += name;
   };
   append(impossible_chromaticity, "chromaticity");
   append(infinite_horizon, "horizon");
