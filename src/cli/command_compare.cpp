@@ -1,7 +1,8 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -32,7 +33,8 @@ void run(const CompareOptions& options) {
   const CompareReport report =
       options.against == "utm2005"
           ? compare_with_utm2005(entries)
-          : compare_with_preetham1999(entries, TableTurbidity(csv.parent_path() / "table.json", options.kind));
+          : compare_with_preetham1999(entries,
+                                      TableTurbidity(csv.parent_path() / "table.json", options.kind));
   if (!options.out.empty()) write_text_atomically(options.out, report.csv());
   if (options.json) {
     fmt::print("{}", report.json());
@@ -55,8 +57,9 @@ void add_compare_command(CLI::App& program) {
   command.add_option("--against", options->against, "preetham1999 or utm2005")
       ->required()
       ->check(CLI::IsMember({"preetham1999", "utm2005"}));
-  command.add_option("--turbidity-kind", options->kind,
-                     "of the table, if it has no table.json: aod500, aod550, angstrom-beta, preetham-t")
+  command
+      .add_option("--turbidity-kind", options->kind,
+                  "of the table, if it has no table.json: aod500, aod550, angstrom-beta, preetham-t")
       ->type_name("KIND");
   command.add_flag("--json", options->json, "print the comparison as JSON");
   command.add_option("-o,--output", options->out, "CSV file for the comparison")->type_name("FILE");

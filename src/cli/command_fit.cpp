@@ -47,7 +47,8 @@ std::size_t zenith_row(const FitCommandOptions& options, const SkyCsv& sky) {
   constexpr double kZenith_deg = 1e-6;
   for (std::size_t i = 0; i < sky.rows.size(); ++i)
     if (sky.rows[i].zenith_deg <= kZenith_deg) return i;
-  throw InputError("{}: no row with zenith_deg 0: the fit is scaled to the zenith and needs it", options.file.string());
+  throw InputError("{}: no row with zenith_deg 0: the fit is scaled to the zenith and needs it",
+                   options.file.string());
 }
 
 // γ from the azimuths if the sun is known, from the file's own γ column otherwise.
@@ -75,9 +76,9 @@ FitInput prepare(const FitCommandOptions& options) {
                        options.file.string(), top.line, *top.gamma_deg, *zenith);
   }
   for (const SkyCsvRow& row : rows) {
-    const double gamma_rad =
-        from_azimuth ? angle_between({row.zenith_deg, *row.azimuth_deg}, {*zenith, *azimuth})
-                     : *row.gamma_deg * kRadiansPerDegree;
+    const double gamma_rad = from_azimuth
+                                 ? angle_between({row.zenith_deg, *row.azimuth_deg}, {*zenith, *azimuth})
+                                 : *row.gamma_deg * kRadiansPerDegree;
     input.views.push_back({row.zenith_deg * kRadiansPerDegree, gamma_rad});
     input.colours.push_back(row.colour);
   }
@@ -103,12 +104,18 @@ Json report_json(const FitReport& report, const FitInput& input) {
   Json place = {{"line", worst.line}, {"zenith_deg", worst.zenith_deg}};
   if (worst.azimuth_deg) place["azimuth_deg"] = *worst.azimuth_deg;
   place["gamma_deg"] = input.views[report.worst_direction].gamma_rad * kDegreesPerRadian;
-  return {{"coefficients", coefficients}, {"standard_errors", errors},
-          {"determined", determined},     {"at_bound", at_bound},
-          {"zenith", report.zenith_value}, {"rmse", report.rmse},
-          {"worst_residual", report.worst_residual}, {"worst_direction", place},
-          {"cost", report.cost},          {"termination", to_string(report.termination)},
-          {"message", report.message},    {"iterations", report.iterations}};
+  return {{"coefficients", coefficients},
+          {"standard_errors", errors},
+          {"determined", determined},
+          {"at_bound", at_bound},
+          {"zenith", report.zenith_value},
+          {"rmse", report.rmse},
+          {"worst_residual", report.worst_residual},
+          {"worst_direction", place},
+          {"cost", report.cost},
+          {"termination", to_string(report.termination)},
+          {"message", report.message},
+          {"iterations", report.iterations}};
 }
 
 std::string as_json(const FitCommandOptions& options, const FitInput& input, const SkyFit& fit) {
@@ -130,12 +137,15 @@ void print_channel(const char* name, const FitReport& report, const FitInput& in
   fmt::print("\n{}: zenith {:.6g}, RMSE {:.4g}{}\n", name, report.zenith_value, report.rmse,
              name[0] == 'Y' ? " of the value" : "");
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const char* note = report.at_bound[i] ? "on its bound" : report.determined[i] ? "" : "not determined by the data";
+    const char* note = report.at_bound[i]     ? "on its bound"
+                       : report.determined[i] ? ""
+                                              : "not determined by the data";
     fmt::print("  {} {:>14.7g} +- {:<10.3g} {}\n", kPerezNames[i], values[i], report.standard_error[i], note);
   }
   const SkyCsvRow& worst = input.sky.rows[report.worst_direction];
-  fmt::print("  worst: {:+.4g} at zenith angle {:g} deg, {:.4g} deg from the sun (line {})\n", report.worst_residual,
-             worst.zenith_deg, input.views[report.worst_direction].gamma_rad * kDegreesPerRadian, worst.line);
+  fmt::print("  worst: {:+.4g} at zenith angle {:g} deg, {:.4g} deg from the sun (line {})\n",
+             report.worst_residual, worst.zenith_deg,
+             input.views[report.worst_direction].gamma_rad * kDegreesPerRadian, worst.line);
   fmt::print("  {} after {} iterations\n", to_string(report.termination), report.iterations);
 }
 
@@ -156,8 +166,10 @@ void run(const FitCommandOptions& options) {
   }
   fmt::print("{}: {} directions, sun at zenith angle {:g} deg, {} weights\n", options.file.string(),
              input.views.size(), input.sun_zenith_deg, options.weights);
-  fmt::print("v = v_zenith F(theta,gamma)/F(0,theta_sun), F = (1 + A exp(B/cos theta)) (1 + C exp(D gamma) + E cos^2 "
-             "gamma)\n");
+  fmt::print(
+      "v = v_zenith F(theta,gamma)/F(0,theta_sun), F = (1 + A exp(B/cos theta)) (1 + C exp(D gamma) + E "
+      "cos^2 "
+      "gamma)\n");
   print_channel("Y", fit.Y, input);
   print_channel("x", fit.x, input);
   print_channel("y", fit.y, input);
@@ -170,9 +182,11 @@ void add_fit_command(CLI::App& program) {
   const auto options = std::make_shared<FitCommandOptions>();
   CLI::App& command = *program.add_subcommand("fit", "fit Perez coefficients to any sky (.csv)");
   command.footer(
-      "\nFILE: columns zenith_deg, azimuth_deg or gamma_deg, Y_cd_m2 (or Y), x, y; one row must be the zenith.\n"
+      "\nFILE: columns zenith_deg, azimuth_deg or gamma_deg, Y_cd_m2 (or Y), x, y; one row must be the "
+      "zenith.\n"
       "Example:\n  skylut fit sky.csv --sun-zenith-deg 45 --sun-azimuth-deg 90 --json");
-  command.add_option("FILE", options->file, "the sky, as skylut map -o sky.csv writes it or anybody's")->required();
+  command.add_option("FILE", options->file, "the sky, as skylut map -o sky.csv writes it or anybody's")
+      ->required();
   command.add_option("--sun-zenith-deg", options->sun_zenith_deg, "of the sun, if the file does not say")
       ->check(CLI::Range(0.0, 180.0));
   command.add_option("--sun-azimuth-deg", options->sun_azimuth_deg, "of the sun, clockwise from north")

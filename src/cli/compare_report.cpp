@@ -43,7 +43,8 @@ class RowBuilder {
 };
 
 std::string coefficient_line(const char* label, const PerezCoefficients& k) {
-  return fmt::format("  {:<12} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", label, k.A, k.B, k.C, k.D, k.E);
+  return fmt::format("  {:<12} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", label, k.A, k.B, k.C,
+                     k.D, k.E);
 }
 
 std::string coefficient_heading() {
@@ -54,8 +55,8 @@ std::vector<Yxy> sky_of(const PerezYxy& k, const Yxy& zenith, const Direction& s
                         const std::vector<Direction>& views) {
   std::vector<Yxy> sky;
   for (const Direction& view : views)
-    sky.push_back(perez_sky(k.Y, k.x, k.y, zenith, view.zenith_deg * kRadiansPerDegree, angle_between(view, sun),
-                            sun.zenith_deg * kRadiansPerDegree));
+    sky.push_back(perez_sky(k.Y, k.x, k.y, zenith, view.zenith_deg * kRadiansPerDegree,
+                            angle_between(view, sun), sun.zenith_deg * kRadiansPerDegree));
   return sky;
 }
 
@@ -86,7 +87,9 @@ void add_preetham_row(CompareReport& report, const TableEntry& entry, double T) 
   row.add("Y_zenith_kcd_m2_preetham", zenith.Y);
   row.add("x_zenith_preetham", zenith.x);
   row.add("y_zenith_preetham", zenith.y);
-  const auto metric = [&](double SkyDifference::*field) { return distance ? Cell((*distance).*field) : Cell{}; };
+  const auto metric = [&](double SkyDifference::*field) {
+    return distance ? Cell((*distance).*field) : Cell{};
+  };
   row.add("rmse_Y_rel", metric(&SkyDifference::rmse_Y_rel));
   row.add("mean_Y_rel", metric(&SkyDifference::mean_Y_rel));
   row.add("rmse_x", metric(&SkyDifference::rmse_x));
@@ -98,11 +101,13 @@ void add_preetham_row(CompareReport& report, const TableEntry& entry, double T) 
   row.add("_y", ours.y);
   row.add("_y_preetham", theirs.y);
 
-  std::string block = fmt::format("turbidity {:g} (T = {:.3f}, {}), sun zenith angle {:g} deg, azimuth {:g} deg\n",
-                                  entry.turbidity, T, verdict, entry.sun.zenith_deg, entry.sun.azimuth_deg);
-  block += fmt::format("  zenith       ours     Y {:8.4f} kcd/m2  x {:.4f}  y {:.4f}\n", entry.zenith.Y, entry.zenith.x,
-                       entry.zenith.y);
-  block += fmt::format("               Preetham Y {:8.4f} kcd/m2  x {:.4f}  y {:.4f}\n", zenith.Y, zenith.x, zenith.y);
+  std::string block =
+      fmt::format("turbidity {:g} (T = {:.3f}, {}), sun zenith angle {:g} deg, azimuth {:g} deg\n",
+                  entry.turbidity, T, verdict, entry.sun.zenith_deg, entry.sun.azimuth_deg);
+  block += fmt::format("  zenith       ours     Y {:8.4f} kcd/m2  x {:.4f}  y {:.4f}\n", entry.zenith.Y,
+                       entry.zenith.x, entry.zenith.y);
+  block += fmt::format("               Preetham Y {:8.4f} kcd/m2  x {:.4f}  y {:.4f}\n", zenith.Y, zenith.x,
+                       zenith.y);
   if (distance)
     block += fmt::format("  dome         RMSE Y {:.1f} % (mean {:+.1f} %), x {:.4f}, y {:.4f}\n",
                          100.0 * distance->rmse_Y_rel, 100.0 * distance->mean_Y_rel, distance->rmse_x,
@@ -131,13 +136,14 @@ void add_utm_row(CompareReport& report, const Utm2005Row& published, const Utm20
   row.add("_utm2005", published.coefficients);
   const std::pair<const char*, PerezCoefficients TableEntry::*> channels[] = {
       {"_Y", &TableEntry::Y}, {"_x", &TableEntry::x}, {"_y", &TableEntry::y}};
-  for (const auto& [suffix, channel] : channels) ours ? row.add(suffix, ours->*channel) : row.add_blank(suffix);
+  for (const auto& [suffix, channel] : channels)
+    ours ? row.add(suffix, ours->*channel) : row.add_blank(suffix);
 
   std::string block =
-      fmt::format("{:g} km, turbidity {:g}, sun {:g},{:g} deg: {}\n", published.altitude_km, published.turbidity,
-                  published.sun.zenith_deg, published.sun.azimuth_deg, verdict.text());
-  block += fmt::format("  zenith       published Y {:8.3f} (no unit)  x {:.4f}  y {:.4f}\n", published.zenith.Y,
-                       published.zenith.x, published.zenith.y);
+      fmt::format("{:g} km, turbidity {:g}, sun {:g},{:g} deg: {}\n", published.altitude_km,
+                  published.turbidity, published.sun.zenith_deg, published.sun.azimuth_deg, verdict.text());
+  block += fmt::format("  zenith       published Y {:8.3f} (no unit)  x {:.4f}  y {:.4f}\n",
+                       published.zenith.Y, published.zenith.x, published.zenith.y);
   if (ours)
     block += fmt::format("               ours      Y {:8.4f} kcd/m2    x {:.4f}  y {:.4f}\n", ours->zenith.Y,
                          ours->zenith.x, ours->zenith.y);
@@ -197,17 +203,22 @@ std::string CompareReport::json() const {
     }
     all.push_back(one);
   }
-  const Json file = {{"format", "skylut comparison"}, {"format_version", 1}, {"against", name},
-                     {"notes", notes},                {"rows", all}};
+  const Json file = {{"format", "skylut comparison"},
+                     {"format_version", 1},
+                     {"against", name},
+                     {"notes", notes},
+                     {"rows", all}};
   return file.dump(1) + "\n";
 }
 
-CompareReport compare_with_preetham1999(std::span<const TableEntry> entries, const TableTurbidity& turbidity) {
+CompareReport compare_with_preetham1999(std::span<const TableEntry> entries,
+                                        const TableTurbidity& turbidity) {
   CompareReport report;
   report.name = "preetham1999";
-  report.notes = {"Preetham, Shirley, Smits 1999 beside the rows at 0 km; T " + turbidity.source(),
-                  "Preetham fitted T = 2 to 6; differences are ours minus theirs over 271 directions, Y relative to "
-                  "theirs"};
+  report.notes = {
+      "Preetham, Shirley, Smits 1999 beside the rows at 0 km; T " + turbidity.source(),
+      "Preetham fitted T = 2 to 6; differences are ours minus theirs over 271 directions, Y relative to "
+      "theirs"};
   std::size_t below_horizon = 0;
   for (const TableEntry& entry : entries) {
     if (entry.altitude_km != 0.0) continue;
@@ -218,8 +229,9 @@ CompareReport compare_with_preetham1999(std::span<const TableEntry> entries, con
     add_preetham_row(report, entry, turbidity.preetham_t(entry.turbidity));
   }
   if (report.rows.empty())
-    throw InputError("table of {} rows: none at altitude 0 km with the sun above the horizon, must have at least one",
-                     entries.size());
+    throw InputError(
+        "table of {} rows: none at altitude 0 km with the sun above the horizon, must have at least one",
+        entries.size());
   if (below_horizon > 0)
     report.notes.push_back(fmt::format("{} rows with the sun below the horizon left out", below_horizon));
   return report;
@@ -231,16 +243,20 @@ CompareReport compare_with_utm2005(std::span<const TableEntry> entries) {
   CompareReport report;
   report.name = "utm2005";
   const auto count = [&](bool Utm2005Verdict::*failure) {
-    return std::count_if(verdicts.begin(), verdicts.end(), [&](const Utm2005Verdict& v) { return v.*failure; });
+    return std::count_if(verdicts.begin(), verdicts.end(),
+                         [&](const Utm2005Verdict& v) { return v.*failure; });
   };
   const auto plausible =
       std::count_if(verdicts.begin(), verdicts.end(), [](const Utm2005Verdict& v) { return v.plausible(); });
   report.notes = {
-      fmt::format("UTM report 2005, appendix A: {} of its 75 rows are legible, {} of them plausible", rows.size(),
-                  plausible),
-      fmt::format("chromaticity: {} rows, zenith x, y that no light can have", count(&Utm2005Verdict::impossible_chromaticity)),
-      fmt::format("horizon: {} rows, B > 0, infinite at the horizon", count(&Utm2005Verdict::infinite_horizon)),
-      fmt::format("mirror: {} rows, not equal to the row of the mirrored sun", count(&Utm2005Verdict::mirror_differs))};
+      fmt::format("UTM report 2005, appendix A: {} of its 75 rows are legible, {} of them plausible",
+                  rows.size(), plausible),
+      fmt::format("chromaticity: {} rows, zenith x, y that no light can have",
+                  count(&Utm2005Verdict::impossible_chromaticity)),
+      fmt::format("horizon: {} rows, B > 0, infinite at the horizon",
+                  count(&Utm2005Verdict::infinite_horizon)),
+      fmt::format("mirror: {} rows, not equal to the row of the mirrored sun",
+                  count(&Utm2005Verdict::mirror_differs))};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto ours = std::find_if(entries.begin(), entries.end(), [&](const TableEntry& entry) {
       return entry.altitude_km == rows[i].altitude_km && entry.turbidity == rows[i].turbidity &&

@@ -13,7 +13,8 @@ namespace skylut::cli {
 
 /// A comparison as rows of named cells: the same content as text, CSV and JSON.
 struct CompareReport {
-  using Cell = std::variant<std::monostate, double, std::string>;  ///< empty where there is nothing to compare
+  using Cell =
+      std::variant<std::monostate, double, std::string>;  ///< empty where there is nothing to compare
 
   std::string name;                ///< of what the table is compared with
   std::vector<std::string> notes;  ///< what a reader must know
@@ -30,7 +31,8 @@ struct CompareReport {
 /// @throws InputError  if no entry is at 0 km with the sun above the horizon and T >= 1
 CompareReport compare_with_preetham1999(std::span<const TableEntry> entries, const TableTurbidity& turbidity);
 
-/// Every legible published row, its verdict, and the entry of the table for the same altitude, turbidity and sun.
+/// Every legible published row, its verdict, and the entry of the table for the same altitude, turbidity and
+/// sun.
 CompareReport compare_with_utm2005(std::span<const TableEntry> entries);
 
 }  // namespace skylut::cli

@@ -53,8 +53,9 @@ double TableTurbidity::preetham_t(double turbidity) const {
   if (listed_only_) {
     for (const Listed& listed : listed_)
       if (listed.given == turbidity) return listed.preetham_t;
-    throw InputError("{}: turbidity {} of the table is not in it: table.csv and table.json must belong together",
-                     json_.string(), turbidity);
+    throw InputError(
+        "{}: turbidity {} of the table is not in it: table.csv and table.json must belong together",
+        json_.string(), turbidity);
   }
   if (kind_ == "preetham-t") return turbidity;
   return 1.0 + aerosol_depth_550(kind_, turbidity) / rayleigh_depth(0.55);

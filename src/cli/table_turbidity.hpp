@@ -10,9 +10,9 @@ namespace skylut::cli {
 /// Turbidities of a table converted to the T of Preetham 1999.
 class TableTurbidity {
  public:
-  /// Takes the conversion of table.json, which knows the table's own air; where there is none, or where `kind`
-  /// is given, converts by T = 1 + τ_A(550 nm)/τ_R(550 nm) with the Rayleigh depth at sea level and Ångström's
-  /// exponent 1.3.
+  /// Takes the conversion of table.json, which knows the table's own air; where there is none, or where
+  /// `kind` is given, converts by T = 1 + τ_A(550 nm)/τ_R(550 nm) with the Rayleigh depth at sea level and
+  /// Ångström's exponent 1.3.
   /// @param json  table.json; need not exist
   /// @param kind  aod500, aod550, angstrom-beta or preetham-t; visibility only through table.json
   /// @throws InputError  unknown kind; table.json broken

@@ -33,7 +33,8 @@ std::vector<Utm2005Row> load_utm2005() {
   return rows;
 }
 
-std::vector<Utm2005Verdict> judge_utm2005(const std::vector<Utm2005Row>& rows, const ColourMatching& matching) {
+std::vector<Utm2005Verdict> judge_utm2005(const std::vector<Utm2005Row>& rows,
+                                          const ColourMatching& matching) {
   std::vector<Utm2005Verdict> verdicts;
   for (const Utm2005Row& row : rows) {
     Utm2005Verdict verdict{

@@ -22,7 +22,8 @@ SkyCsv read_sky_csv(const std::filesystem::path& path) {
   const auto angle = [&csv](std::size_t row, std::size_t column, double highest) {
     const double value = csv.number(row, column);
     if (!(value >= 0.0 && value <= highest))
-      throw InputError("{}: {} {}: must lie within 0-{}", csv.place(row), csv.columns()[column], value, highest);
+      throw InputError("{}: {} {}: must lie within 0-{}", csv.place(row), csv.columns()[column], value,
+                       highest);
     return value;
   };
   SkyCsv sky;

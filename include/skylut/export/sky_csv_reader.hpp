@@ -25,9 +25,9 @@ struct SkyCsv {
   std::optional<double> sun_azimuth_deg;  ///< from a comment line "# sun_azimuth_deg=90"
 };
 
-/// Reads a sky: a comma-separated file whose header names the columns zenith_deg, azimuth_deg or gamma_deg (or
-/// both), Y_cd_m2 (or Y), x, y, in any order; other columns, such as L_<nm>, are ignored. Lines that begin with
-/// # are comments. Spaces around a field and CR LF line ends do not matter.
+/// Reads a sky: a comma-separated file whose header names the columns zenith_deg, azimuth_deg or gamma_deg
+/// (or both), Y_cd_m2 (or Y), x, y, in any order; other columns, such as L_<nm>, are ignored. Lines that
+/// begin with # are comments. Spaces around a field and CR LF line ends do not matter.
 /// @throws InputError  "file:line: what is wrong, what would be right"; no such file; no rows
 SkyCsv read_sky_csv(const std::filesystem::path& path);
 
