@@ -223,8 +223,8 @@ void judge(FitReport& report, const FitProblem& problem, const LinearParameters&
   constexpr double kRankTolerance = 1e-8;
   const std::array<double, 5> value = report.coefficients.values();
   // Copies of a sample (the mirror half, the ring around a sun at the zenith) tell nothing new: merged, they
-  // count as one. Whatever the residuals, data are not taken to be better than 1e-4 of their size.
-  constexpr double kDataAccuracy = 1e-4;
+  // count as one. Whatever the residuals, no sky is simulated or measured to better than 1e-3.
+  constexpr double kDataAccuracy = 1e-3;
   const auto distinct = static_cast<double>(problem.observations.size());
   const double variance = 2.0 * report.cost / std::max(1.0, distinct - 5.0);
   double size_of_data = 0.0;
@@ -244,7 +244,8 @@ void judge(FitReport& report, const FitProblem& problem, const LinearParameters&
     }
     report.standard_error[index] =
         fixed ? std::sqrt(variance * sum) : std::numeric_limits<double>::infinity();
-    report.determined[index] = fixed && !report.at_bound[index] && std::sqrt(careful_variance * sum) <= size;
+    report.determined[index] = problem.tells_factors_apart && fixed && !report.at_bound[index] &&
+                               std::sqrt(careful_variance * sum) <= size;
   }
 }
 

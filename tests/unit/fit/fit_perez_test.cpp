@@ -71,8 +71,8 @@ TEST(FitPerez, ReturnsTheCoefficientsOfItsOwnSkies) {
       }
 }
 
-// References: the lowest cost that SciPy 1.10 found, by differential evolution over A…E in two boxes and by 12 random
-// starts, each polished by its trust-region least squares; to 8 digits.
+// References: the lowest cost that SciPy 1.10 found, by differential evolution over A…E in two boxes and by
+// 12 random starts, each polished by its trust-region least squares; to 8 digits.
 TEST(FitPerez, FindsTheGlobalMinimum) {
   struct Reference {
     double sun_zenith_deg;
@@ -134,13 +134,20 @@ TEST(FitPerez, FlagsWhatTheDataDoNotDetermine) {
   EXPECT_NEAR(report.coefficients.E, 0.7, 1e-6);
 }
 
-// With the sun at the zenith θ = γ: one profile of 10 rings for five coefficients of two factors that vary
-// alike.
+// With the sun at the zenith θ = γ, and along the sun's meridian γ = |θ - θ_s|: the factors are not told
+// apart.
 TEST(FitPerez, FlagsTheSunAtTheZenith) {
-  const auto samples = perez_sky_of({0.0, 0.0}, {-0.3, -0.3, 0.5, -1.5, 0.3}, 1.0);
-  const FitReport report = fit_perez(samples, 0.0, 1.0, {});
+  const PerezCoefficients k{-0.3, -0.3, 0.5, -1.5, 0.3};
+  const FitReport report = fit_perez(perez_sky_of({0.0, 0.0}, k, 1.0), 0.0, 1.0, {});
   EXPECT_LT(report.rmse, 1e-6);
-  EXPECT_TRUE(std::any_of(report.determined.begin(), report.determined.end(), [](bool yes) { return !yes; }));
+  for (const bool determined : report.determined) EXPECT_FALSE(determined);
+  std::vector<SkySample> meridian;
+  for (int zenith_deg = 0; zenith_deg <= 90; zenith_deg += 5) {
+    const double zenith = zenith_deg * kRadiansPerDegree;
+    const double gamma = std::abs(zenith - 0.5);
+    meridian.push_back({zenith, gamma, perez_relative(k, zenith, gamma, 0.5), 1.0});
+  }
+  for (const bool determined : fit_perez(meridian, 0.5, 1.0, {}).determined) EXPECT_FALSE(determined);
 }
 
 TEST(FitPerez, RespectsBounds) {
