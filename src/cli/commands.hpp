@@ -14,6 +14,15 @@ void add_table_command(CLI::App& program);
 /// `skylut map -o sky.exr|sky.csv`: one sky.
 void add_map_command(CLI::App& program);
 
+/// `skylut fit FILE`: Perez coefficients of any sky.
+void add_fit_command(CLI::App& program);
+
+/// `skylut compare DIR|FILE --against NAME`: a table or sky beside a published model.
+void add_compare_command(CLI::App& program);
+
+/// `skylut profile list|show NAME`: the atmospheres.
+void add_profile_command(CLI::App& program);
+
 /// `skylut solve CASE.json`: radiative transfer through explicit layers.
 void add_solve_command(CLI::App& program);
 

@@ -65,6 +65,9 @@ int run(int argc, char** argv) {
   app.footer(kExamples);
   skylut::cli::add_table_command(app);
   skylut::cli::add_map_command(app);
+  skylut::cli::add_fit_command(app);
+  skylut::cli::add_compare_command(app);
+  skylut::cli::add_profile_command(app);
   skylut::cli::add_solve_command(app);
   try {
     app.parse(argc, argv);

@@ -16,8 +16,8 @@ double cross(const Yxy& origin, const Yxy& a, const Yxy& b) {
   return (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
 }
 
-// Andrew's monotone chain: the chromaticities of the long wavelengths crowd and turn back by rounding, and the
-// hull of all is the region of mixtures whatever they do.
+// Andrew's monotone chain: the chromaticities of the long wavelengths crowd and turn back by rounding, and
+// the hull of all is the region of mixtures whatever they do.
 std::vector<Yxy> convex_hull(std::vector<Yxy> points) {
   std::sort(points.begin(), points.end(),
             [](const Yxy& a, const Yxy& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
@@ -25,7 +25,8 @@ std::vector<Yxy> convex_hull(std::vector<Yxy> points) {
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t start = hull.size();
     for (const Yxy& point : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0.0) hull.pop_back();
+      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0.0)
+        hull.pop_back();
       hull.push_back(point);
     }
     hull.pop_back();

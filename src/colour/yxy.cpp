@@ -13,7 +13,9 @@ using Matrix = std::array<Row, 3>;
 
 constexpr Matrix inverse(const Matrix& m) {
   const auto minor = [&m](int r, int c) {
-    const auto at = [&m](int i, int j) { return m[static_cast<std::size_t>(i % 3)][static_cast<std::size_t>(j % 3)]; };
+    const auto at = [&m](int i, int j) {
+      return m[static_cast<std::size_t>(i % 3)][static_cast<std::size_t>(j % 3)];
+    };
     return at(r + 1, c + 1) * at(r + 2, c + 2) - at(r + 1, c + 2) * at(r + 2, c + 1);
   };
   const double determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
@@ -62,7 +64,8 @@ Yxy to_yxy(const Xyz& colour) {
 Xyz to_xyz(const Yxy& colour) {
   if (colour.Y == 0.0) return {};
   if (colour.y == 0.0)
-    throw InputError("chromaticity y = 0 with luminance {}: y must be greater than 0 where there is light", colour.Y);
+    throw InputError("chromaticity y = 0 with luminance {}: y must be greater than 0 where there is light",
+                     colour.Y);
   const double sum = colour.Y / colour.y;
   return {colour.x * sum, colour.Y, (1.0 - colour.x - colour.y) * sum};
 }

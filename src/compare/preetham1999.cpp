@@ -15,7 +15,9 @@ using Cubic = std::array<double, 4>;  // of θ_s: θ³, θ², θ, 1
 
 // [T² T 1] M [θ³ θ² θ 1].
 double zenith_chromaticity(const std::array<Cubic, 3>& rows, double T, double theta) {
-  const auto value = [theta](const Cubic& c) { return ((c[0] * theta + c[1]) * theta + c[2]) * theta + c[3]; };
+  const auto value = [theta](const Cubic& c) {
+    return ((c[0] * theta + c[1]) * theta + c[2]) * theta + c[3];
+  };
   return (value(rows[0]) * T + value(rows[1])) * T + value(rows[2]);
 }
 
@@ -37,7 +39,8 @@ Yxy preetham1999_zenith_kcd_m2(double turbidity, double sun_zenith_rad) {
   const double T = turbidity;
   const double chi = (4.0 / 9.0 - T / 120.0) * (kPi - 2.0 * sun_zenith_rad);
   return {(4.0453 * T - 4.9710) * std::tan(chi) - 0.2155 * T + 2.4192,
-          zenith_chromaticity(kZenith_x, T, sun_zenith_rad), zenith_chromaticity(kZenith_y, T, sun_zenith_rad)};
+          zenith_chromaticity(kZenith_x, T, sun_zenith_rad),
+          zenith_chromaticity(kZenith_y, T, sun_zenith_rad)};
 }
 
 Yxy preetham1999(double turbidity, const Direction& sun, const Direction& view) {
@@ -45,7 +48,8 @@ Yxy preetham1999(double turbidity, const Direction& sun, const Direction& view) 
   const PerezYxy k = preetham1999_coefficients(turbidity);
   Yxy zenith = preetham1999_zenith_kcd_m2(turbidity, sun_zenith);
   zenith.Y *= 1000.0;
-  return perez_sky(k.Y, k.x, k.y, zenith, view.zenith_deg * kRadiansPerDegree, angle_between(view, sun), sun_zenith);
+  return perez_sky(k.Y, k.x, k.y, zenith, view.zenith_deg * kRadiansPerDegree, angle_between(view, sun),
+                   sun_zenith);
 }
 
 Preetham1999::Preetham1999(double turbidity) : turbidity_(turbidity) {

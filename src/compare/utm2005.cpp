@@ -8,7 +8,9 @@ namespace skylut {
 std::string Utm2005Verdict::text() const {
   std::string text;
   const auto append = [&text](bool failed, const char* name) {
-    if (failed) text += (text.empty() ? "" : "+") + std::string(name);
+    if (!failed) return;
+    if (!text.empty()) text += '+';
+    text += name;
   };
   append(impossible_chromaticity, "chromaticity");
   append(infinite_horizon, "horizon");
@@ -31,7 +33,8 @@ std::vector<Utm2005Row> load_utm2005() {
   return rows;
 }
 
-std::vector<Utm2005Verdict> judge_utm2005(const std::vector<Utm2005Row>& rows, const ColourMatching& matching) {
+std::vector<Utm2005Verdict> judge_utm2005(const std::vector<Utm2005Row>& rows,
+                                          const ColourMatching& matching) {
   std::vector<Utm2005Verdict> verdicts;
   for (const Utm2005Row& row : rows) {
     Utm2005Verdict verdict{

@@ -47,7 +47,10 @@ std::string shown(std::string_view text) {
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  for (const std::string& name : names) {
+    if (!text.empty()) text += ',';
+    text += name;
+  }
   return shown(text);
 }
 
@@ -78,14 +81,14 @@ CsvTable CsvTable::read(const std::filesystem::path& path) {
       for (std::size_t i = 0; i < fields.size(); ++i)
         if (std::find(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(i), fields[i]) !=
             fields.begin() + static_cast<std::ptrdiff_t>(i))
-          throw InputError("{}:{}: column '{}' is named twice: every column must have its own name", path.string(),
-                           number, shown(fields[i]));
+          throw InputError("{}:{}: column '{}' is named twice: every column must have its own name",
+                           path.string(), number, shown(fields[i]));
       table.columns_ = std::move(fields);
       continue;
     }
     if (fields.size() != table.columns_.size())
-      throw InputError("{}:{}: {} fields: must be {}, as the header names", path.string(), number, fields.size(),
-                       table.columns_.size());
+      throw InputError("{}:{}: {} fields: must be {}, as the header names", path.string(), number,
+                       fields.size(), table.columns_.size());
     table.rows_.push_back({number, std::move(fields)});
   }
   if (table.columns_.empty())
@@ -101,13 +104,15 @@ std::optional<std::size_t> CsvTable::find_column(std::string_view name) const {
 
 std::size_t CsvTable::column(std::string_view name) const {
   if (const auto found = find_column(name)) return *found;
-  throw InputError("{}: no column '{}' among '{}': the header must name it", path_.string(), name, joined(columns_));
+  throw InputError("{}: no column '{}' among '{}': the header must name it", path_.string(), name,
+                   joined(columns_));
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
   const std::string& field = rows_[row].fields[column];
   if (const auto value = parse_number(field)) return *value;
-  throw InputError("{}: column '{}': '{}': must be a finite number", place(row), columns_[column], shown(field));
+  throw InputError("{}: column '{}': '{}': must be a finite number", place(row), columns_[column],
+                   shown(field));
 }
 
 std::optional<std::string> CsvTable::comment(std::string_view name) const {
@@ -126,6 +131,8 @@ std::optional<double> CsvTable::comment_number(std::string_view name) const {
   return std::nullopt;
 }
 
-std::string CsvTable::place(std::size_t row) const { return fmt::format("{}:{}", path_.string(), rows_[row].line); }
+std::string CsvTable::place(std::size_t row) const {
+  return fmt::format("{}:{}", path_.string(), rows_[row].line);
+}
 
 }  // namespace skylut

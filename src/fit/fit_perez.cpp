@@ -43,17 +43,19 @@ struct Residuals {
     const T& e = parameter[4];
     for (std::size_t i = 0; i < problem->observations.size(); ++i) {
       const Observation& o = problem->observations[i];
-      residual[i] = o.model_scale * (1.0 + a * fit_detail::gradation_basis(B, o.secant_excess)) *
-                        (1.0 + c * fit_detail::aureole_basis(D, o.gamma_rad, problem->sun) + e * o.cos2_excess) -
-                    o.target;
+      residual[i] =
+          o.model_scale * (1.0 + a * fit_detail::gradation_basis(B, o.secant_excess)) *
+              (1.0 + c * fit_detail::aureole_basis(D, o.gamma_rad, problem->sun) + e * o.cos2_excess) -
+          o.target;
     }
     return true;
   }
 };
 
-// The same with c and e eliminated: for given a, B, D they follow by linear least squares. Since the elimination
-// is differentiated along with the rest, the derivatives are those of the whole (variable projection, Golub and
-// Pereyra 1973), and Levenberg-Marquardt is spared the curved valleys along which c, e and D trade. [fit.md F5]
+// The same with c and e eliminated: for given a, B, D they follow by linear least squares. Since the
+// elimination is differentiated along with the rest, the derivatives are those of the whole (variable
+// projection, Golub and Pereyra 1973), and Levenberg-Marquardt is spared the curved valleys along which c, e
+// and D trade. [fit.md F5]
 struct ProjectedResiduals {
   const FitProblem* problem;
 
@@ -156,8 +158,8 @@ class Polisher {
     residuals_.eliminate(at_.data(), residual.data(), c, e);
     result.cost = summary.final_cost;
     result.parameters = {at_[0], at_[1], c, at_[2], e};
-    result.termination = summary.termination_type == ceres::CONVERGENCE ? Termination::converged
-                                                                        : Termination::no_convergence;
+    result.termination =
+        summary.termination_type == ceres::CONVERGENCE ? Termination::converged : Termination::no_convergence;
     result.message = summary.message;
     result.iterations = static_cast<int>(summary.iterations.size()) - 1;
     return result;
@@ -178,7 +180,7 @@ class Polisher {
 };
 
 // Derivatives of the residuals by a, B, c, D, e, observations × 5.
-Eigen::MatrixXd jacobian(const FitProblem& problem, const LinearParameters& at) {
+Eigen::MatrixXd residual_derivatives(const FitProblem& problem, const LinearParameters& at) {
   const int count = static_cast<int>(problem.observations.size());
   const ceres::AutoDiffCostFunction<Residuals, ceres::DYNAMIC, 5> function(new Residuals{&problem}, count);
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(count, 5);
@@ -190,7 +192,8 @@ Eigen::MatrixXd jacobian(const FitProblem& problem, const LinearParameters& at) 
 }
 
 // d(A…E)/d(a, B, c, D, e).
-Eigen::Matrix<double, 5, 5> coefficient_derivatives(const LinearParameters& at, const fit_detail::SunFrame& sun) {
+Eigen::Matrix<double, 5, 5> coefficient_derivatives(const LinearParameters& at,
+                                                    const fit_detail::SunFrame& sun) {
   using Jet = ceres::Jet<double, 5>;
   std::array<Jet, 5> variable;
   for (int i = 0; i < 5; ++i) variable[static_cast<std::size_t>(i)] = Jet(at[static_cast<std::size_t>(i)], i);
@@ -201,8 +204,9 @@ Eigen::Matrix<double, 5, 5> coefficient_derivatives(const LinearParameters& at, 
 }
 
 // Standard errors and the flag of determinacy, from the singular values of the Jacobian. [fit.md F6]
-void judge(FitReport& report, const Eigen::MatrixXd& jacobian,
-           const Eigen::Matrix<double, 5, 5>& derivatives, std::size_t samples) {
+void judge(FitReport& report, const FitProblem& problem, const LinearParameters& at) {
+  const Eigen::MatrixXd jacobian = residual_derivatives(problem, at);
+  const Eigen::Matrix<double, 5, 5> derivatives = coefficient_derivatives(at, problem.sun);
   // Columns to equal length first: the rank must not depend on the units of the parameters.
   Eigen::Matrix<double, 5, 1> length;
   for (int i = 0; i < 5; ++i) {
@@ -213,14 +217,22 @@ void judge(FitReport& report, const Eigen::MatrixXd& jacobian,
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
   const Eigen::Matrix<double, 5, 5> moves = derivatives * length.cwiseInverse().asDiagonal() * svd.matrixV();
 
+  // A coefficient known to within this is known, however small it is.
+  constexpr double kNegligible = 0.1;
   // Below this share of the largest singular value a direction moves no residual beyond rounding.
   constexpr double kRankTolerance = 1e-8;
   const std::array<double, 5> value = report.coefficients.values();
-  const double degrees_of_freedom = std::max(1.0, static_cast<double>(samples) - 5.0);
-  const double variance = 2.0 * report.cost / degrees_of_freedom;
+  // Copies of a sample (the mirror half, the ring around a sun at the zenith) tell nothing new: merged, they
+  // count as one. Whatever the residuals, no sky is simulated or measured to better than 1e-3.
+  constexpr double kDataAccuracy = 1e-3;
+  const auto distinct = static_cast<double>(problem.observations.size());
+  const double variance = 2.0 * report.cost / std::max(1.0, distinct - 5.0);
+  double size_of_data = 0.0;
+  for (const Observation& o : problem.observations) size_of_data += o.target * o.target;
+  const double careful_variance = std::max(variance, kDataAccuracy * kDataAccuracy * size_of_data / distinct);
   for (int i = 0; i < 5; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double size = std::max(std::abs(value[at]), 0.1);
+    const auto index = static_cast<std::size_t>(i);
+    const double size = std::max(std::abs(value[index]), kNegligible);
     double sum = 0.0;
     bool fixed = true;
     for (int k = 0; k < 5; ++k) {
@@ -230,15 +242,17 @@ void judge(FitReport& report, const Eigen::MatrixXd& jacobian,
       else if (std::abs(moves(i, k)) > 1e-6 * size * moves.col(k).cwiseAbs().maxCoeff())
         fixed = false;
     }
-    report.standard_error[at] =
+    report.standard_error[index] =
         fixed ? std::sqrt(variance * sum) : std::numeric_limits<double>::infinity();
-    report.determined[at] = fixed && !report.at_bound[at] && report.standard_error[at] <= size;
+    report.determined[index] = problem.tells_factors_apart && fixed && !report.at_bound[index] &&
+                               std::sqrt(careful_variance * sum) <= size;
   }
 }
 
 void check(const FitOptions& options) {
   if (!(options.B_lower < options.B_upper && options.B_upper < 0.0 && options.B_lower >= -80.0))
-    throw InputError("bounds of B {} to {}: must rise within -80 to below 0", options.B_lower, options.B_upper);
+    throw InputError("bounds of B {} to {}: must rise within -80 to below 0", options.B_lower,
+                     options.B_upper);
   if (!(options.D_lower < options.D_upper && options.D_lower >= -500.0 && options.D_upper <= 25.0))
     throw InputError("bounds of D {} to {}: must rise within -500 to 25", options.D_lower, options.D_upper);
   if (options.polished_starts < 1)
@@ -267,9 +281,12 @@ double cost_of(const FitProblem& problem, const PerezCoefficients& k) {
 
 std::string_view to_string(Termination termination) {
   switch (termination) {
-    case Termination::converged: return "converged";
-    case Termination::no_convergence: return "no_convergence";
-    case Termination::not_run: break;
+    case Termination::converged:
+      return "converged";
+    case Termination::no_convergence:
+      return "no_convergence";
+    case Termination::not_run:
+      break;
   }
   return "not_run";
 }
@@ -278,7 +295,8 @@ FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, d
                     const FitOptions& options) {
   silence_ceres();
   check(options);
-  const FitProblem problem = fit_detail::make_fit_problem(samples, sun_zenith_rad, zenith_value, options.residual);
+  const FitProblem problem =
+      fit_detail::make_fit_problem(samples, sun_zenith_rad, zenith_value, options.residual);
 
   std::vector<LinearParameters> starts;
   for (const fit_detail::Valley& valley : search_valleys(problem, options, options.polished_starts))
@@ -307,7 +325,8 @@ FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, d
 
   FitReport report;
   const std::array<double, 5> k = fit_detail::to_perez(best.parameters, problem.sun);
-  report.coefficients = {k[0], k[1], k[2], k[3], k[4]};
+  // Adding 0 turns -0 into 0.
+  report.coefficients = {k[0] + 0.0, k[1], k[2] + 0.0, k[3], k[4] + 0.0};
   report.zenith_value = zenith_value;
   report.cost = cost_of(problem, report.coefficients);
   report.rmse = std::sqrt(2.0 * report.cost / static_cast<double>(problem.samples));
@@ -316,16 +335,15 @@ FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, d
   report.iterations = best.iterations;
   report.at_bound[1] = k[1] == options.B_lower || k[1] == options.B_upper;
   report.at_bound[3] = k[3] == options.D_lower || k[3] == options.D_upper;
-  judge(report, jacobian(problem, best.parameters), coefficient_derivatives(best.parameters, problem.sun),
-        problem.samples);
+  judge(report, problem, best.parameters);
 
   double worst = -1.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].weight == 0.0) continue;
     const double model = zenith_value * perez_relative(report.coefficients, samples[i].zenith_rad,
                                                        samples[i].gamma_rad, sun_zenith_rad);
-    const double residual = (model - samples[i].value) /
-                            (options.residual == ResidualKind::relative ? samples[i].value : 1.0);
+    const double residual =
+        (model - samples[i].value) / (options.residual == ResidualKind::relative ? samples[i].value : 1.0);
     if (std::abs(residual) <= worst) continue;
     worst = std::abs(residual);
     report.worst_residual = residual;

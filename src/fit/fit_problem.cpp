@@ -93,6 +93,13 @@ FitProblem make_fit_problem(std::span<const SkySample> samples, double sun_zenit
                                     .model_scale = scale * zenith_value,
                                     .target = scale * sample.value});
   }
+  constexpr double kSameAngle_rad = 1e-6;
+  for (std::size_t i = 1; i < problem.observations.size(); ++i) {
+    const Observation& one = problem.observations[i - 1];
+    const Observation& next = problem.observations[i];
+    if (one.secant_excess == next.secant_excess && next.gamma_rad - one.gamma_rad > kSameAngle_rad)
+      problem.tells_factors_apart = true;
+  }
   return problem;
 }
 

@@ -24,6 +24,10 @@ struct FitProblem {
   SunFrame sun;
   std::vector<Observation> observations;
   std::size_t samples = 0;  ///< of weight > 0, before merging
+  /// Whether some zenith angle is seen at more than one angle to the sun. If not (sun at the zenith, a scan
+  /// along a meridian), γ is a function of θ, and nothing but the shape of the formula tells its two factors
+  /// apart.
+  bool tells_factors_apart = false;
 };
 
 /// @throws InputError  as fit_perez does

@@ -44,7 +44,8 @@ std::vector<double> solid_angle_weights(std::span<const double> zenith_rad) {
   for (auto ring = count.begin(); ring != count.end(); ++ring) {
     const auto middle = [](long long a, long long b) { return 0.5e-9 * static_cast<double>(a + b); };
     const double from = ring == count.begin() ? 0.0 : middle(std::prev(ring)->first, ring->first);
-    const double to = std::next(ring) == count.end() ? 0.5 * kPi : middle(ring->first, std::next(ring)->first);
+    const double to =
+        std::next(ring) == count.end() ? 0.5 * kPi : middle(ring->first, std::next(ring)->first);
     share[ring->first] = (std::cos(from) - std::cos(to)) / ring->second;
     total += std::cos(from) - std::cos(to);
   }

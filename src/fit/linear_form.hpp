@@ -5,8 +5,8 @@
 
 #include "skylut/fit/perez.hpp"
 
-/// The Perez formula relative to its zenith, rewritten so that it is linear in three of its parameters and has
-/// none of the poles at F(0, θ_s) = 0 that split the landscape of A…E into valleys. [fit.md F3]
+/// The Perez formula relative to its zenith, rewritten so that it is linear in three of its parameters and
+/// has none of the poles at F(0, θ_s) = 0 that split the landscape of A…E into valleys. [fit.md F3]
 ///
 ///   F(θ,γ)/F(0,θ_s) = (1 + a U(θ;B)) (1 + c W(γ;D) + e K(γ))
 ///   U = e^{B (1/cosθ - 1)} - 1,  W = (e^{D (γ-γ₀)} - e^{D (θ_s-γ₀)})/D,  K = cos²γ - cos²θ_s

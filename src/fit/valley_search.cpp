@@ -9,9 +9,9 @@ namespace skylut::fit_detail {
 
 namespace {
 
-constexpr int kRates = 56;         // nodes in B: 0.13 decades apart over the default bounds
-constexpr int kWidths = 48;        // nodes in D below 0
-constexpr int kBrightenings = 32;  // nodes in D above 0
+constexpr int kRates = 56;          // nodes in B: 0.13 decades apart over the default bounds
+constexpr int kWidths = 48;         // nodes in D below 0
+constexpr int kBrightenings = 32;   // nodes in D above 0
 constexpr double kFlattest = 0.02;  // smallest |D|: e^{Dγ} is then as good as linear
 
 // Values of -lower … -upper, geometric.
@@ -37,10 +37,11 @@ std::vector<double> width_nodes(const FitOptions& options) {
 // Values of a: the model at the horizon is 1 - a of what it is without gradation.
 std::vector<double> gradation_nodes() {
   std::vector<double> nodes{0.0};
-  for (const double a : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.87, 0.93, 0.97, 0.99, 0.997, 1.01, 1.1, 1.5,
-                         3.0, 10.0, 100.0})
+  for (const double a : {0.05, 0.1,  0.2,  0.3,   0.4,  0.5, 0.6, 0.7, 0.8,  0.87,
+                         0.93, 0.97, 0.99, 0.997, 1.01, 1.1, 1.5, 3.0, 10.0, 100.0})
     nodes.push_back(a);
-  for (const double a : {0.05, 0.1, 0.2, 0.35, 0.6, 1.0, 1.5, 2.5, 4.0, 7.0, 12.0, 20.0, 40.0, 100.0, 300.0, 1000.0})
+  for (const double a :
+       {0.05, 0.1, 0.2, 0.35, 0.6, 1.0, 1.5, 2.5, 4.0, 7.0, 12.0, 20.0, 40.0, 100.0, 300.0, 1000.0})
     nodes.push_back(-a);
   std::sort(nodes.begin(), nodes.end());
   return nodes;
@@ -64,8 +65,8 @@ struct Eliminated {
 
 // Least squares in c and e for fixed a: ½ |h g (1 + c W + e K) - t|².
 Eliminated eliminate(const NodeSums& s, double a) {
-  const auto squared = [a](const double (&sum)[3]) { return sum[0] + a * (2.0 * sum[1] + a * sum[2]); };
-  const auto linear = [a](const double (&sum)[2]) { return sum[0] + a * sum[1]; };
+  const auto squared = [a](const double(&sum)[3]) { return sum[0] + a * (2.0 * sum[1] + a * sum[2]); };
+  const auto linear = [a](const double(&sum)[2]) { return sum[0] + a * sum[1]; };
   const double WW = squared(s.WW);
   const double KK = squared(s.KK);
   const double WK = squared(s.WK);
@@ -185,7 +186,8 @@ std::vector<Valley> search_valleys(const FitProblem& problem, const FitOptions& 
         sums.t_W[i] = sum_tW[i](b, d);
       }
       sums.t_t = t_t;
-      node(b, d) = best_at(sums, rates[static_cast<std::size_t>(b)], widths[static_cast<std::size_t>(d)], gradations);
+      node(b, d) =
+          best_at(sums, rates[static_cast<std::size_t>(b)], widths[static_cast<std::size_t>(d)], gradations);
     }
 
   std::vector<Valley> valleys;
@@ -193,8 +195,9 @@ std::vector<Valley> search_valleys(const FitProblem& problem, const FitOptions& 
     for (Eigen::Index d = 0; d < nD; ++d) {
       // Lowest among the four next nodes; a diagonal valley then offers several starts along its floor.
       const double here = node(b, d).cost;
-      const bool lowest = (b == 0 || node(b - 1, d).cost >= here) && (b == nB - 1 || node(b + 1, d).cost >= here) &&
-                          (d == 0 || node(b, d - 1).cost >= here) && (d == nD - 1 || node(b, d + 1).cost >= here);
+      const bool lowest =
+          (b == 0 || node(b - 1, d).cost >= here) && (b == nB - 1 || node(b + 1, d).cost >= here) &&
+          (d == 0 || node(b, d - 1).cost >= here) && (d == nD - 1 || node(b, d + 1).cost >= here);
       if (lowest) valleys.push_back(node(b, d));
     }
   std::stable_sort(valleys.begin(), valleys.end(),

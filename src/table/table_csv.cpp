@@ -51,7 +51,10 @@ std::vector<Column> table_columns() {
 
 std::string table_csv_header() {
   std::string header;
-  for (const Column& column : table_columns()) header += (header.empty() ? "" : ",") + column.name;
+  for (const Column& column : table_columns()) {
+    if (!header.empty()) header += ',';
+    header += column.name;
+  }
   return header;
 }
 

@@ -38,6 +38,7 @@ struct Utm2005Verdict {
 std::vector<Utm2005Row> load_utm2005();
 
 /// One verdict per row; mirrors are looked for among the rows.
-std::vector<Utm2005Verdict> judge_utm2005(const std::vector<Utm2005Row>& rows, const ColourMatching& matching);
+std::vector<Utm2005Verdict> judge_utm2005(const std::vector<Utm2005Row>& rows,
+                                          const ColourMatching& matching);
 
 }  // namespace skylut

@@ -9,15 +9,16 @@
 namespace skylut {
 
 /// A comma-separated file: a header line that names the columns, then one line per row. Empty lines and lines
-/// that begin with # are passed over, the latter kept as comments; spaces around a field, a byte order mark and
-/// CR LF line ends do not matter. Numbers are read the same way in every locale.
+/// that begin with # are passed over, the latter kept as comments; spaces around a field, a byte order mark
+/// and CR LF line ends do not matter. Numbers are read the same way in every locale.
 class CsvTable {
  public:
   /// @throws InputError  no such file, not readable, no header, a column named twice, or a row of another
   ///                     number of fields than the header; "file:line: …"
   static CsvTable read(const std::filesystem::path& path);
 
-  /// Index of the column of that name. @throws InputError naming the file, the columns there are and the one wanted
+  /// Index of the column of that name. @throws InputError naming the file, the columns there are and the one
+  /// wanted
   std::size_t column(std::string_view name) const;
   std::optional<std::size_t> find_column(std::string_view name) const;
 

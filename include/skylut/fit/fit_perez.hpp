@@ -39,12 +39,12 @@ std::string_view to_string(Termination termination);
 /// What the fit may do. The bounds keep the formula finite everywhere and representable in 32-bit floats.
 struct FitOptions {
   ResidualKind residual = ResidualKind::relative;
-  double B_lower = -80.0;   ///< the gradation is then gone 15° from the zenith; e^{-B} still fits a float
-  double B_upper = -1e-5;   ///< B < 0: finite at the horizon
-  double D_lower = -80.0;   ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
-  double D_upper = 25.0;    ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
+  double B_lower = -80.0;    ///< the gradation is then gone 15° from the zenith; e^{-B} still fits a float
+  double B_upper = -1e-5;    ///< B < 0: finite at the horizon
+  double D_lower = -80.0;    ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
+  double D_upper = 25.0;     ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
   int polished_starts = 24;  ///< Levenberg-Marquardt runs per fit, from the best valleys of the search
-  int max_iterations = 200; ///< per run
+  int max_iterations = 200;  ///< per run
 };
 
 /// What the fit found, for one channel.
@@ -57,19 +57,24 @@ struct FitReport {
   Termination termination = Termination::not_run;
   std::string message = "fit was not run";
   double cost = -1.0;  ///< ½ Σ weight · residual², weights scaled to mean 1
-  std::array<double, 5> standard_error{};  ///< of A…E, from the covariance at the minimum
-  std::array<bool, 5> determined{};        ///< whether the data fix A…E; see fit_perez
-  std::array<bool, 5> at_bound{};          ///< whether B or D ended on a bound of FitOptions
-  int iterations = 0;                      ///< of the Levenberg-Marquardt run that won
+  std::array<double, 5>
+      standard_error{};              ///< of A…E, from the covariance at the minimum; infinity if unbounded
+  std::array<bool, 5> determined{};  ///< whether the data fix A…E; see fit_perez
+  std::array<bool, 5> at_bound{};    ///< whether B or D ended on a bound of FitOptions
+  int iterations = 0;                ///< of the Levenberg-Marquardt run that won
 };
 
 /// Fits v(θ, γ) = v_z F(θ, γ)/F(0, θ_s), v_z being fixed, by Levenberg-Marquardt with automatic
 /// derivatives (Ceres), from the best valleys of a search over B and D in which A, C and E are eliminated,
 /// and from Preetham's coefficients. [fit.md F2-F6]
 ///
-/// The order of the samples does not matter: mirror-symmetric skies give the same bits. A coefficient
-/// counts as determined if it is not on a bound, its standard error is below its size (below 1 if that
-/// is more), and no direction in coefficient space leaves the residuals unchanged and moves it.
+/// The order of the samples does not matter: mirror-symmetric skies give the same bits.
+///
+/// A coefficient counts as determined if it is not on a bound, and if errors of the size of the residuals, or
+/// of 1e-3 of the data if that is more, move it by less than its own size (or less than 0.1, if that is
+/// more). Equal samples in equal directions relative to the sun count as one datum. If γ is a function of θ,
+/// as with the sun at the zenith, no coefficient is determined: the data do not tell the two factors of the
+/// formula apart.
 ///
 /// @param samples         at least 6 different directions
 /// @param sun_zenith_rad  [0, π]
