@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "commands.hpp"
 #include "profile_report.hpp"
-#include "skylut/cli/commands.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/optics/turbidity.hpp"
 #include "skylut/profile/profile.hpp"

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "commands.hpp"
+#include "directions_option.hpp"
+#include "number_options.hpp"
+#include "output_check.hpp"
+#include "progress.hpp"
+#include "scene_options.hpp"
+#include "skylut/core/atomic_file.hpp"
+#include "skylut/core/errors.hpp"
+#include "skylut/export/projection.hpp"
+#include "skylut/export/sky_csv.hpp"
+#include "skylut/export/sky_exr.hpp"
+#include "skylut/site/sun.hpp"
+
+namespace skylut::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct MapOptions {
+  SceneOptions scene;
+  fs::path out;
+  double altitude_km = 0.0;
+  double turbidity = 0.1;
+  double sun_zenith_deg = 0.0;
+  double sun_azimuth_deg = 180.0;
+  std::string time;
+  std::string directions = "utm271";
+  std::string projection = "latlong";
+  std::string channels = "rgb";
+  int size = 256;
+  // Which of them were typed: options that exclude each other or belong to one kind of file.
+  const CLI::Option* turbidity_option = nullptr;
+  const CLI::Option* sun_zenith_option = nullptr;
+  const CLI::Option* sun_azimuth_option = nullptr;
+  const CLI::Option* directions_option = nullptr;
+  std::vector<const CLI::Option*> picture_options;
+};
+
+enum class FileKind { csv, exr };
+
+FileKind kind_of(const MapOptions& options) {
+  const std::string extension = options.out.extension().string();
+  const bool csv = extension == ".csv";
+  if (!csv && extension != ".exr")
+    throw InputError("-o '{}': must be the name of a .csv or .exr file", options.out.string());
+  if (!csv && options.directions_option->count() > 0)
+    throw InputError("--directions: is for .csv files, must not be given with {}", options.out.string());
+  for (const CLI::Option* option : options.picture_options)
+    if (csv && option->count() > 0)
+      throw InputError("{}: is for .exr files, must not be given with {}", option->get_name(),
+                       options.out.string());
+  return csv ? FileKind::csv : FileKind::exr;
+}
+
+// The sun is given by its angles or by place and time.
+void add_sun(const MapOptions& options, SkyScene& scene) {
+  const bool by_angles = options.sun_zenith_option->count() > 0;
+  if (options.time.empty()) {
+    if (!by_angles) throw InputError("no sun: give --sun-zenith-deg, or --latitude, --longitude and --time");
+    scene.suns = {{options.sun_zenith_deg, options.sun_azimuth_deg}};
+    return;
+  }
+  if (by_angles || options.sun_azimuth_option->count() > 0)
+    throw InputError("--time {}: gives the sun, must not be given with {}", options.time,
+                     by_angles ? "--sun-zenith-deg" : "--sun-azimuth-deg");
+  const std::optional<Place> place = options.scene.place();
+  if (!place || !options.scene.has_longitude())
+    throw InputError("--time {}: needs --latitude and --longitude", options.time);
+  const UtcTime time = parse_time(options.time);
+  const Direction sun = sun_direction(*place, time);
+  if (sun.zenith_deg > kLowestSun_deg)
+    throw InputError("--time {}: the sun is {:.2f} deg from the zenith, must be at most {} deg", options.time,
+                     sun.zenith_deg, kLowestSun_deg);
+  scene.suns = {sun};
+  scene.sun_distance_au = earth_sun_distance_au(time);
+}
+
+SkyScene scene_of(const MapOptions& options) {
+  if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
+    throw InputError("--turbidity-kind: needs --turbidity");
+  SkyScene scene = options.scene.scene();
+  scene.altitudes_km = {options.altitude_km};
+  scene.turbidities = {{options.scene.turbidity_kind(), options.turbidity}};
+  add_sun(options, scene);
+  return scene;
+}
+
+SkyMap simulate(const SkyScene& scene, TransferOptions transfer) {
+  Progress progress("solving the radiative transfer:");
+  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+  return simulate_sky(scene, transfer).front();
+}
+
+void print_facts(const SkyMap& map, const SkyScene& scene) {
+  const auto darker = [](const Yxy& a, const Yxy& b) { return a.Y < b.Y; };
+  const auto [darkest, brightest] = std::minmax_element(map.colour.begin(), map.colour.end(), darker);
+  fmt::print("altitude {} km, sun {:.6g}:{:.6g} deg, {} directions, {} wavelengths\n", map.altitude_km,
+             map.sun.zenith_deg, map.sun.azimuth_deg, map.directions.size(), map.wavelengths.size());
+  fmt::print("{}\n", turbidity_text(map.turbidity, scene));
+  fmt::print("luminance {:.5g} to {:.5g} cd/m2\n", darkest->Y, brightest->Y);
+}
+
+void write_csv(const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
+  scene.directions = directions_of(options.directions);
+  require_writable_file("-o", options.out);
+  const SkyMap map = simulate(scene, transfer);
+  write_text_atomically(options.out, sky_csv(map));
+  print_facts(map, scene);
+  fmt::print("wrote {}\n", options.out.string());
+}
+
+void write_exr(const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
+  const std::unique_ptr<Projection> projection = make_projection(options.projection, options.size);
+  const std::vector<SkyChannels> channels = parse_sky_channels(options.channels);
+  for (const SkyChannels kind : channels) require_writable_file("-o", sky_exr_path(options.out, kind));
+  scene.directions = projection->directions();
+  const SkyMap map = simulate(scene, transfer);
+  for (const SkyChannels kind : channels)
+    write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind);
+  print_facts(map, scene);
+  if (const std::size_t outside = count_outside_rec709(map); outside > 0)
+    fmt::print("{} pixels have a colour outside Rec. 709: a negative R, G or B, kept as it is\n", outside);
+  for (const SkyChannels kind : channels) fmt::print("wrote {}\n", sky_exr_path(options.out, kind).string());
+}
+
+void run(const MapOptions& options) {
+  const FileKind kind = kind_of(options);
+  const SkyScene scene = scene_of(options);
+  const TransferOptions transfer = options.scene.transfer();
+  if (kind == FileKind::csv) return write_csv(options, scene, transfer);
+  write_exr(options, scene, transfer);
+}
+
+void add_picture_options(CLI::App& command, MapOptions& options) {
+  const std::string group = "Picture (.exr)";
+  options.picture_options = {
+      command.add_option("--projection", options.projection, "latlong")
+          ->capture_default_str()
+          ->type_name("NAME")
+          ->group(group),
+      add_count(command, "--size", options.size, 2, 8192, "height in pixels; latlong is twice as wide")
+          ->group(group),
+      command.add_option("--channels", options.channels, "rgb, xyz, spectral or several: rgb,spectral")
+          ->capture_default_str()
+          ->type_name("LIST")
+          ->group(group)};
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& program) {
+  const auto options = std::make_shared<MapOptions>();
+  CLI::App& command =
+      *program.add_subcommand("map", "simulate one sky, as numbers (.csv) or a picture (.exr)");
+  command.footer(
+      "\nA picture sky.exr goes to sky_rgb.exr, sky_xyz.exr and sky_spectral.exr, as --channels asks.\n"
+      "Examples:\n"
+      "  skylut map -o sky.csv --sun-zenith-deg 45 --turbidity 0.2\n"
+      "  skylut map -o sky.exr --sun-zenith-deg 85 --altitude-km 12 --size 512 --channels rgb,spectral\n"
+      "  skylut map -o sky.exr --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z");
+  command.add_option("-o,--output", options->out, "file to write: .csv or .exr")
+      ->required()
+      ->type_name("FILE");
+  add_number(command, "--altitude-km", options->altitude_km, {0.0, kHighestAltitude_km, "km"},
+             "of the observer above the ground, 0 to 30");
+  options->turbidity_option = add_number(command, "--turbidity", options->turbidity, {0.0, 1e6, ""},
+                                         "of the kind of --turbidity-kind");
+  CLI::Option* const sun_zenith = add_number(command, "--sun-zenith-deg", options->sun_zenith_deg,
+                                             {0.0, kLowestSun_deg, "deg"}, "of the sun, 0 to 96");
+  options->sun_zenith_option = sun_zenith->default_str("");
+  options->sun_azimuth_option = add_number(command, "--sun-azimuth-deg", options->sun_azimuth_deg,
+                                           {0.0, 360.0, "deg"}, "of the sun, clockwise from north");
+  command.add_option("--time", options->time, "instead of the sun's angles, with a place: 2024-06-21T09:00Z")
+      ->type_name("TIME");
+  options->directions_option =
+      command.add_option("--directions", options->directions, "utm271, preetham343 or a CSV file (for .csv)")
+          ->capture_default_str()
+          ->type_name("NAME|FILE");
+  add_picture_options(command, *options);
+  options->scene.add_to(command);
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace skylut::cli

@@ -1,0 +1,142 @@
+#include "scene_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "number_options.hpp"
+#include "skylut/core/errors.hpp"
+#include "text.hpp"
+
+namespace skylut::cli {
+
+namespace {
+
+Quality parse_quality(const std::string& text) {
+  if (text == "draft") return Quality::draft;
+  if (text == "standard") return Quality::standard;
+  if (text == "reference") return Quality::reference;
+  throw InputError("--quality '{}': must be draft, standard or reference", text);
+}
+
+}  // namespace
+
+void SceneOptions::add_to(CLI::App& command) {
+  const std::string air = "Air";
+  command
+      .add_option("--profile", profile_, "layered atmosphere: a name (skylut profile list) or a TOML file")
+      ->capture_default_str()
+      ->type_name("NAME|FILE")
+      ->group(air);
+  command
+      .add_option_function<std::string>(
+          "--turbidity-kind",
+          [this](const std::string& text) {
+            turbidity_kind_ = text;
+            turbidity_kind_given_ = true;
+          },
+          "aod500, aod550, angstrom-beta, preetham-t or visibility-km")
+      ->default_str(turbidity_kind_)
+      ->type_name("KIND")
+      ->group(air);
+  add_number(command, "--albedo", albedo_, {0.0, 1.0, ""}, "of the ground, Lambertian")->group(air);
+  command
+      .add_option_function<std::string>(
+          "--ozone-du",
+          [this](const std::string& text) {
+            ozone_du_ = parse_number("--ozone-du", text, {0.0, 1000.0, "DU"});
+          },
+          "ozone column in Dobson units; default: the profile's")
+      ->type_name("NUMBER")
+      ->group(air);
+
+  const std::string place =
+      "Place: gives gravity and the Earth's radius (default: standard gravity, 6371 km)";
+  command.add_option("--latitude", latitude_, "geodetic, decimal degrees or as 48:51:24N")
+      ->type_name("ANGLE")
+      ->group(place);
+  command.add_option("--longitude", longitude_, "decimal degrees or as 2d21'03\"E")
+      ->type_name("ANGLE")
+      ->group(place);
+  add_number(command, "--height-m", height_m_, {-500.0, 9000.0, "m"}, "of the ground above the ellipsoid")
+      ->group(place);
+
+  const std::string computing = "Computing";
+  command.add_option("--wavelengths-nm", wavelengths_, "first, last and step")
+      ->capture_default_str()
+      ->type_name("LO:HI:STEP")
+      ->group(computing);
+  command.add_option("--quality", quality_, "draft, standard or reference")
+      ->capture_default_str()
+      ->type_name("NAME")
+      ->group(computing);
+  add_count(command, "--threads", threads_, 0, 1024, "0: one per core; changes no result")->group(computing);
+}
+
+std::optional<Place> SceneOptions::place() const {
+  if (latitude_.empty()) {
+    if (!longitude_.empty() || height_m_ != 0.0)
+      throw InputError("--{}: needs --latitude too", longitude_.empty() ? "height-m" : "longitude");
+    return std::nullopt;
+  }
+  return parse_place(latitude_, longitude_.empty() ? "0" : longitude_, height_m_);
+}
+
+TurbidityKind SceneOptions::turbidity_kind() const { return parse_turbidity_kind(turbidity_kind_); }
+
+SkyScene SceneOptions::scene() const {
+  SkyScene scene;
+  scene.wavelengths = WavelengthGrid::parse(wavelengths_);
+  scene.air.ground_albedo = albedo_;
+  scene.air.ozone_du = ozone_du_;
+  if (const std::optional<Place> where = place()) {
+    scene.air.gravity_m_s2 = normal_gravity_m_s2(*where);
+    scene.air.planet_radius_km = radius_of_curvature_km(*where);
+  }
+  scene.profile = load_profile(profile_);
+  return scene;
+}
+
+TransferOptions SceneOptions::transfer() const {
+  TransferOptions options;
+  options.quality = parse_quality(quality_);
+  options.threads = threads_;
+  return options;
+}
+
+std::string SceneOptions::command_line() const {
+  std::string text =
+      fmt::format("--profile {} --turbidity-kind {} --albedo {} --wavelengths-nm {} --quality {}", profile_,
+                  turbidity_kind_, albedo_, wavelengths_, quality_);
+  if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
+  if (const std::optional<Place> where = place())
+    text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg,
+                        where->longitude_deg, where->height_m);
+  return text;
+}
+
+Direction parse_sun(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ':');
+  if (parts.size() != 2)
+    throw InputError("sun '{}': must be ZENITH:AZIMUTH in degrees, for example 45:90", text);
+  return {parse_number("sun zenith angle", parts[0], {0.0, kLowestSun_deg, "deg"}),
+          parse_number("sun azimuth", parts[1], {0.0, 360.0, "deg"})};
+}
+
+std::vector<Direction> parse_suns(const std::string& text) {
+  std::vector<Direction> suns;
+  for (const std::string& part : split(text, ',')) suns.push_back(parse_sun(part));
+  return suns;
+}
+
+std::string turbidity_text(const Turbidity& turbidity, const SkyScene& scene) {
+  const Air air(scene.profile, scene.air);
+  const double aod500 = to_aod500(turbidity, air);
+  std::string text = fmt::format("{} {}", turbidity_kind_name(turbidity.kind), turbidity.value);
+  for (const TurbidityKind kind : turbidity_kinds())
+    if (kind != turbidity.kind)
+      text += fmt::format(" = {} {:.4g}", turbidity_kind_name(kind), from_aod500(aod500, kind, air));
+  return text;
+}
+
+}  // namespace skylut::cli

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skylut/site/place.hpp"
+#include "skylut/sky/simulate_sky.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace skylut::cli {
+
+/// The options that every command which simulates skies shares: the air, its place, the wavelengths and
+/// how finely and on how many threads to compute.
+class SceneOptions {
+ public:
+  /// Adds the options to a command; this object must outlive its parsing.
+  void add_to(CLI::App& command);
+
+  /// The scene without altitudes, turbidities, suns and directions.
+  /// @throws InputError  for an unknown profile, a place or range that cannot be
+  SkyScene scene() const;
+
+  TransferOptions transfer() const;
+  std::optional<Place> place() const;  ///< @throws InputError if it is no place
+  TurbidityKind turbidity_kind() const;
+  bool turbidity_kind_given() const { return turbidity_kind_given_; }
+  bool has_longitude() const { return !longitude_.empty(); }
+  const std::string& quality() const { return quality_; }
+  int threads() const { return threads_; }
+
+  /// These options as a command line, defaults spelled out; without threads, which change no result.
+  std::string command_line() const;
+
+ private:
+  std::string profile_ = "ussa1976";
+  std::string turbidity_kind_ = "aod500";
+  bool turbidity_kind_given_ = false;
+  std::string wavelengths_ = "380:780:5";
+  double albedo_ = 0.2;
+  std::optional<double> ozone_du_;
+  std::string latitude_;
+  std::string longitude_;
+  double height_m_ = 0.0;
+  std::string quality_ = "standard";
+  int threads_ = 0;
+};
+
+/// A sun as "Z:A", zenith angle and azimuth in degrees. @throws InputError naming the text
+Direction parse_sun(const std::string& text);
+
+/// Suns separated by commas. @throws InputError as parse_sun
+std::vector<Direction> parse_suns(const std::string& text);
+
+/// One turbidity in all kinds, as far as they exist: "aod500 0.1 = aod550 0.0883 = …".
+std::string turbidity_text(const Turbidity& turbidity, const SkyScene& scene);
+
+/// What sun zenith angles, azimuths and observers' altitudes may be.
+inline constexpr double kLowestSun_deg = 96.0;
+inline constexpr double kHighestAltitude_km = 30.0;
+
+}  // namespace skylut::cli

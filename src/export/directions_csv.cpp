@@ -1,0 +1,29 @@
+#include "skylut/export/directions_csv.hpp"
+
+#include "skylut/core/csv.hpp"
+#include "skylut/core/errors.hpp"
+
+namespace skylut {
+
+namespace {
+
+double angle_deg(const CsvTable& table, std::size_t row, const char* name, double lowest, double highest) {
+  const double value = table.number(row, table.column(name));
+  if (value < lowest || value > highest)
+    throw InputError("{}: {} {}: must lie within {} to {}", table.place(row), name, value, lowest, highest);
+  return value;
+}
+
+}  // namespace
+
+std::vector<Direction> read_directions_csv(const std::filesystem::path& path) {
+  const CsvTable table = CsvTable::read(path);
+  std::vector<Direction> directions;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    directions.push_back({angle_deg(table, row, "zenith_deg", 0.0, 180.0),
+                          angle_deg(table, row, "azimuth_deg", -360.0, 360.0)});
+  if (directions.empty()) throw InputError("{}: no rows: must hold one direction or more", path.string());
+  return directions;
+}
+
+}  // namespace skylut

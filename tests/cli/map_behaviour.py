@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""What `skylut map` does when the request is right."""
+
+import csv
+import math
+import os
+import unittest
+
+from expect import Workplace
+
+COARSE = ["--wavelengths-nm", "400:700:50", "--quality", "draft"]
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return [{name: float(value) for name, value in row.items()}
+                for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+
+
+class Map(unittest.TestCase):
+    def setUp(self):
+        self.work = Workplace(os.environ["SKYLUT_PROGRAM"])
+        self.addCleanup(self.work.__exit__)
+
+    def map(self, *arguments):
+        return self.work.succeed("map", *arguments, *COARSE)
+
+    def test_csv_holds_the_271_directions(self):
+        self.map("-o", "sky.csv", "--sun-zenith-deg", "45", "--sun-azimuth-deg", "90")
+        rows = rows_of(self.work.path("sky.csv"))
+        self.assertEqual(len(rows), 271)
+        for row in rows:
+            theta, phi = math.radians(row["zenith_deg"]), math.radians(row["azimuth_deg"] - 90)
+            cosine = (math.cos(theta) + math.sin(theta) * math.cos(phi)) * math.sqrt(0.5)
+            self.assertAlmostEqual(math.cos(math.radians(row["gamma_deg"])), cosine, places=12)
+            self.assertGreater(row["Y_cd_m2"], 0)
+
+    def test_other_directions(self):
+        self.map("-o", "sky.csv", "--sun-zenith-deg", "45", "--directions", "preetham343")
+        self.assertEqual(len(rows_of(self.work.path("sky.csv"))), 343)
+        self.work.write("mine.csv", "azimuth_deg,zenith_deg\n10,20\n30,140\n")
+        self.map("-o", "mine_sky.csv", "--sun-zenith-deg", "45", "--directions", "mine.csv")
+        rows = rows_of(self.work.path("mine_sky.csv"))
+        self.assertEqual([(row["zenith_deg"], row["azimuth_deg"]) for row in rows], [(20, 10), (140, 30)])
+
+    def test_a_map_is_the_tables_map(self):
+        self.work.succeed("table", "--out", "out", "--altitudes-km", "6", "--turbidities", "0.2",
+                          "--suns", "45:90", "--save-maps", *COARSE)
+        self.map("-o", "sky.csv", "--altitude-km", "6", "--turbidity", "0.2", "--sun-zenith-deg", "45",
+                 "--sun-azimuth-deg", "90")
+        self.assertEqual(self.work.path("sky.csv").read_bytes(),
+                         self.work.path("out/maps/entry_001.csv").read_bytes())
+
+    def test_pictures_go_to_one_file_per_kind(self):
+        screen = self.map("-o", "sky.exr", "--sun-zenith-deg", "45", "--size", "8",
+                          "--channels", "rgb,xyz,spectral")
+        self.assertEqual(sorted(self.work.contents()), ["sky_rgb.exr", "sky_spectral.exr", "sky_xyz.exr"])
+        self.assertIn("128 directions", screen)
+
+    def test_threads_change_no_byte(self):
+        for threads in ("1", "2"):
+            self.map("-o", f"{threads}.exr", "--sun-zenith-deg", "85", "--size", "8", "--threads", threads,
+                     "--channels", "spectral")
+        self.assertEqual(self.work.path("1_spectral.exr").read_bytes(), self.work.path("2_spectral.exr").read_bytes())
+
+    def test_place_and_time_give_the_sun(self):
+        # Summer solstice noon at Greenwich: the sun stands 51.48 - 23.44 = 28.04 deg from the zenith, in the south;
+        # 0.1 deg leaves room for the equation of time (2 min) and the change of declination over the day.
+        self.map("-o", "sky.csv", "--latitude", "51:28:40N", "--longitude", "0", "--time", "2024-06-21T12:00Z")
+        lines = self.work.path("sky.csv").read_text(encoding="utf-8").splitlines()
+        values = dict(line[2:].split("=") for line in lines if line.startswith("# ") and "=" in line)
+        self.assertAlmostEqual(float(values["sun_zenith_deg"]), 28.04, delta=0.1)
+        self.assertAlmostEqual(float(values["sun_azimuth_deg"]), 180, delta=2)
+
+    def test_an_existing_file_is_replaced(self):
+        self.work.write("sky.csv", "old")
+        self.map("-o", "sky.csv", "--sun-zenith-deg", "45")
+        self.assertEqual(len(rows_of(self.work.path("sky.csv"))), 271)
+        self.assertEqual(list(self.work.contents()), ["sky.csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()

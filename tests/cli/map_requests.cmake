@@ -1,0 +1,53 @@
+# Wrong requests to `skylut map`.
+skylut_refuses(map_without_output 2 "--output is required" map --sun-zenith-deg 45)
+skylut_refuses(map_output_png 2 "sky.png.*csv or .exr" map -o sky.png --sun-zenith-deg 45)
+skylut_refuses(map_output_folder_missing 2 "no such folder: missing" map -o missing/sky.csv --sun-zenith-deg 45)
+skylut_refuses(map_output_is_a_folder 2 "sky.csv.*directory" map -o sky.csv --sun-zenith-deg 45 FOLDER sky.csv)
+skylut_refuses(map_picture_is_a_folder 2 "sky_rgb.exr.*directory" map -o sky.exr --sun-zenith-deg 45
+  FOLDER sky_rgb.exr)
+skylut_refuses(map_output_full 1 "sky.csv: cannot write: No space left" map -o sky.csv --sun-zenith-deg 45
+  --wavelengths-nm 400:700:100 --quality draft LINK sky.csv=/dev/full)
+skylut_refuses(map_picture_full 1 "sky_rgb.exr: cannot write: No space left" map -o sky.exr --sun-zenith-deg 45
+  --size 4 --wavelengths-nm 400:700:100 --quality draft LINK sky_rgb.exr=/dev/full)
+
+skylut_refuses(map_altitude_31 2 "--altitude-km '31'.*0 to 30" map -o sky.csv --sun-zenith-deg 45 --altitude-km 31)
+skylut_refuses(map_altitude_negative 2 "--altitude-km '-1'" map -o sky.csv --sun-zenith-deg 45 --altitude-km -1)
+skylut_refuses(map_turbidity_negative 2 "--turbidity '-0.1'" map -o sky.csv --sun-zenith-deg 45 --turbidity -0.1)
+skylut_refuses(map_turbidity_kind_alone 2 "--turbidity-kind: needs --turbidity" map -o sky.csv --sun-zenith-deg 45
+  --turbidity-kind preetham-t)
+
+skylut_refuses(map_no_sun 2 "no sun: give --sun-zenith-deg" map -o sky.csv)
+skylut_refuses(map_sun_zenith_200 2 "--sun-zenith-deg '200'.*0 to 96" map -o sky.csv --sun-zenith-deg 200)
+skylut_refuses(map_sun_azimuth_nan 2 "--sun-azimuth-deg 'nan'" map -o sky.csv --sun-zenith-deg 45
+  --sun-azimuth-deg nan)
+skylut_refuses(map_sun_twice 2 "--time.*must not be given with --sun-zenith-deg" map -o sky.csv --sun-zenith-deg 45
+  --latitude 48 --longitude 2 --time 2024-06-21T09:00Z)
+skylut_refuses(map_time_without_place 2 "--time.*--latitude and --longitude" map -o sky.csv --time 2024-06-21T09:00Z)
+skylut_refuses(map_time_without_longitude 2 "--time.*--longitude" map -o sky.csv --latitude 48
+  --time 2024-06-21T09:00Z)
+skylut_refuses(map_time_word 2 "noon" map -o sky.csv --latitude 48 --longitude 2 --time noon)
+skylut_refuses(map_time_no_such_day 2 "2024-02-30" map -o sky.csv --latitude 48 --longitude 2
+  --time 2024-02-30T12:00Z)
+skylut_refuses(map_time_without_zone 2 "2024-06-21T09:00" map -o sky.csv --latitude 48 --longitude 2
+  --time 2024-06-21T09:00)
+skylut_refuses(map_at_night 2 "the sun is .* deg from the zenith, must be at most 96" map -o sky.csv --latitude 48
+  --longitude 2 --time 2024-06-21T00:00Z)
+skylut_refuses(map_longitude_no_angle 2 "2d75'E" map -o sky.csv --latitude 48 --longitude "2d75'E"
+  --time 2024-06-21T09:00Z)
+
+skylut_refuses(map_directions_unknown 2 "--directions 'utm270'.*utm271, preetham343" map -o sky.csv
+  --sun-zenith-deg 45 --directions utm270)
+skylut_refuses(map_directions_broken 2 "mine.csv:3: zenith_deg '1O'" map -o sky.csv --sun-zenith-deg 45
+  --directions mine.csv INPUT "mine.csv=zenith_deg,azimuth_deg\\n0,0\\n1O,20\\n")
+skylut_refuses(map_directions_for_picture 2 "--directions: is for .csv" map -o sky.exr --sun-zenith-deg 45
+  --directions utm271)
+skylut_refuses(map_size_for_numbers 2 "--size: is for .exr" map -o sky.csv --sun-zenith-deg 45 --size 64)
+
+skylut_refuses(map_projection_fisheye 2 "projection 'fisheye': supported is latlong" map -o sky.exr
+  --sun-zenith-deg 45 --projection fisheye)
+skylut_refuses(map_projection_unknown 2 "projection 'mercator': supported is latlong" map -o sky.exr
+  --sun-zenith-deg 45 --projection mercator)
+skylut_refuses(map_channels_unknown 2 "channels 'hsv'.*rgb, xyz, spectral" map -o sky.exr --sun-zenith-deg 45
+  --channels hsv)
+skylut_refuses(map_size_0 2 "--size '0'.*2 to 8192" map -o sky.exr --sun-zenith-deg 45 --size 0)
+skylut_refuses(map_size_word 2 "--size '512x256'" map -o sky.exr --sun-zenith-deg 45 --size 512x256)

@@ -1,0 +1,61 @@
+#include "skylut/table/fit_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "skylut/core/errors.hpp"
+#include "test_maps.hpp"
+
+namespace skylut {
+namespace {
+
+void expect_near(const PerezCoefficients& found, const PerezCoefficients& expected) {
+  // Made from the formula without noise: the fit ends at rounding, far below what a table shows.
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(found.values()[i], expected.values()[i], 1e-5) << kPerezNames[i];
+}
+
+TEST(FitTable, KnownSkiesComeBackInTheirRows) {
+  const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(12.0, {45.0, 90.0})};
+  const SkyTable table = fit_table(maps, {}, 1);
+  ASSERT_EQ(table.entries.size(), 2u);
+  ASSERT_EQ(table.fits.size(), 2u);
+  for (std::size_t row = 0; row < 2; ++row) {
+    const TableEntry& entry = table.entries[row];
+    EXPECT_EQ(entry.altitude_km, maps[row].altitude_km);
+    EXPECT_EQ(entry.turbidity, 0.5);
+    EXPECT_EQ(entry.sun, maps[row].sun);
+    EXPECT_NEAR(entry.zenith.Y, 3.5, 1e-12);  // kcd/m² from cd/m²
+    EXPECT_NEAR(entry.zenith.x, 0.25, 1e-12);
+    expect_near(entry.Y, kMadeUp_Y);
+    expect_near(entry.x, kMadeUp_x);
+    expect_near(entry.y, kMadeUp_y);
+    EXPECT_LT(entry.rmse_Y_rel, 1e-8);
+  }
+}
+
+TEST(FitTable, ThreadsChangeNothing) {
+  const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(6.0, {30.0, 0.0}),
+                                 perez_map(12.0, {80.0, 200.0})};
+  std::size_t last_done = 0;
+  const SkyTable one = fit_table(maps, {}, 1);
+  const SkyTable three = fit_table(maps, {}, 3, [&](std::size_t done, std::size_t all) {
+    EXPECT_EQ(all, 3u);
+    EXPECT_EQ(done, ++last_done);
+  });
+  EXPECT_EQ(one.entries, three.entries);
+  EXPECT_EQ(last_done, 3u);
+}
+
+TEST(FitTable, ASkyThatCannotBeFittedIsNamedByItsRow) {
+  std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(12.0, {45.0, 90.0})};
+  maps[1].colour[17].Y = 0.0;
+  try {
+    fit_table(maps, {}, 1);
+    FAIL() << "a black direction has no relative residual";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("row 2 (altitude 12 km, turbidity 0.5, sun 45:90): "), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace skylut
