@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plane_parallel/adding.hpp"
+#include "plane_parallel/aureole_correction.hpp"
 #include "plane_parallel/layer_modes.hpp"
 #include "plane_parallel/scaled_medium.hpp"
 #include "plane_parallel/single_scattering.hpp"
@@ -141,6 +142,7 @@ PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const Plan
     converged = series.add(mode, at_bounds, medium.output_bounds);
     result.azimuth_modes = mode + 1;
   }
+  correct_aureole(column, medium, request, result.radiance);
   return result;
 }
 
