@@ -33,7 +33,8 @@ TEST(Directions, AngleBetweenKnownDirections) {
   // cos γ = cos θ₁ cos θ₂ + sin θ₁ sin θ₂ cos Δφ = 1/2 for θ = 45°, Δφ = 90°.
   EXPECT_NEAR(angle_between({45.0, 0.0}, {45.0, 90.0}), kPi / 3.0, 1e-14);
   // The difference of 30° and 30.0000001° carries the rounding of 30, 3.6e-15°.
-  EXPECT_NEAR(angle_between({30.0, 0.0}, {30.0 + 1e-7, 0.0}), 1e-7 * kRadiansPerDegree, 8e-15 * kRadiansPerDegree);
+  EXPECT_NEAR(angle_between({30.0, 0.0}, {30.0 + 1e-7, 0.0}), 1e-7 * kRadiansPerDegree,
+              8e-15 * kRadiansPerDegree);
 }
 
 TEST(Directions, MirrorSunsSeeTheSameRelativeAzimuths) {

@@ -13,7 +13,8 @@ TEST(Quadrature, GaussLegendreIsExactForPolynomials) {
     const Quadrature rule = gauss_legendre(count, 0.0, 1.0);
     for (int power = 0; power < 2 * count; ++power) {
       double sum = 0.0;
-      for (std::size_t i = 0; i < rule.node.size(); ++i) sum += rule.weight[i] * std::pow(rule.node[i], power);
+      for (std::size_t i = 0; i < rule.node.size(); ++i)
+        sum += rule.weight[i] * std::pow(rule.node[i], power);
       EXPECT_NEAR(sum * (power + 1.0), 1.0, 1e-13) << count << " nodes, power " << power;
     }
   }
