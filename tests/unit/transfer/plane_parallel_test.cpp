@@ -265,6 +265,10 @@ TEST(PlaneParallel, RefusesWhatIsOutOfRange) {
   PlaneParallelRequest horizontal = request(0.5, {0.0});
   horizontal.cos_views = {0.0};
   EXPECT_THROW(solve_plane_parallel(good, horizontal), InputError);
+  // Light would grow on its way: all moments 1 and then none is no phase function.
+  const auto impossible =
+      std::make_shared<const LegendrePhaseFunction>(std::vector<double>{1.0, 1.0, 1.0, 1.0, 1.0, 1.0});
+  EXPECT_THROW(solve_plane_parallel(slab(1.0, 1.0, impossible), request(0.5, {0.0})), WorkError);
   PlaneParallelRequest odd = request(0.5, {0.0});
   odd.streams = 7;
   EXPECT_THROW(solve_plane_parallel(good, odd), InputError);
