@@ -67,13 +67,17 @@ void add_preetham_row(CompareReport& report, const TableEntry& entry, double T) 
   const bool in_range = T >= kPreethamLowestTurbidity && T <= kPreethamHighestTurbidity;
   std::string verdict = in_range ? "in range" : T < kPreethamLowestTurbidity ? "T below 2" : "T above 6";
   std::optional<SkyDifference> distance;
-  if (zenith.Y > 0.0) {
+  const bool finite_horizon = theirs.Y.B < 0.0;
+  if (zenith.Y > 0.0 && finite_horizon) {
     const std::vector<Direction> views = directions_utm271();
     const std::vector<Yxy> reference = sky_of(theirs, zenith, entry.sun, views);
     if (std::all_of(reference.begin(), reference.end(), [](const Yxy& colour) { return colour.Y > 0.0; }))
       distance = difference(sky_of(ours, entry.zenith, entry.sun, views), reference);
   }
-  if (!distance) verdict += ", Preetham's luminance not positive";
+  if (!finite_horizon)
+    verdict += ", Preetham's B > 0: infinite at the horizon";
+  else if (!distance)
+    verdict += ", Preetham's luminance not positive";
 
   RowBuilder row(report);
   row.add("turbidity", entry.turbidity);

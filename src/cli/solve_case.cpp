@@ -206,7 +206,7 @@ Json solve_shells(const JsonReader& file, const SolveOptions& options) {
         read.shells, read.column, request, {options.photons, options.seed, options.orders, options.threads});
     for (std::size_t i = 0; i < radiance.size(); ++i) {
       write_radiance(answer["results"][i], radiance[i].radiance, radiance[i].standard_error);
-      answer["results"][i]["photons"] = options.photons;
+      answer["results"][i]["photons"] = radiance[i].photons;
     }
     return answer;
   }

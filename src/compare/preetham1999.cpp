@@ -60,6 +60,10 @@ Preetham1999::Preetham1999(double turbidity) : turbidity_(turbidity) {
 Yxy Preetham1999::sky(const Direction& sun, const Direction& view) const {
   check_above_horizon("sun", sun);
   check_above_horizon("view", view);
+  if (view.zenith_deg == 90.0 && preetham1999_coefficients(turbidity_).Y.B >= 0.0)
+    throw InputError(
+        "Preetham 1999: turbidity T = {}: must be above 1.203 for a view at the horizon, infinite below",
+        turbidity_);
   return preetham1999(turbidity_, sun, view);
 }
 

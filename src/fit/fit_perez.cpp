@@ -223,8 +223,8 @@ void judge(FitReport& report, const FitProblem& problem, const LinearParameters&
   constexpr double kRankTolerance = 1e-8;
   const std::array<double, 5> value = report.coefficients.values();
   // Copies of a sample (the mirror half, the ring around a sun at the zenith) tell nothing new: merged, they
-  // count as one. Whatever the residuals, no sky is simulated or measured to better than 1e-3.
-  constexpr double kDataAccuracy = 1e-3;
+  // count as one. Whatever the residuals, no sky is simulated or measured to better than 1e-4.
+  constexpr double kDataAccuracy = 1e-4;
   const auto distinct = static_cast<double>(problem.observations.size());
   const double variance = 2.0 * report.cost / std::max(1.0, distinct - 5.0);
   double size_of_data = 0.0;

@@ -108,8 +108,10 @@ std::vector<MonteCarloRadiance> solve_monte_carlo(const Shells& shells, const Op
   });
 
   std::vector<MonteCarloRadiance> radiance;
-  for (std::size_t view = 0; view < request.views.size(); ++view)
+  for (std::size_t view = 0; view < request.views.size(); ++view) {
     radiance.push_back(combine(batch_means, view * kBatches));
+    radiance.back().photons = per_batch * kBatches;
+  }
   return radiance;
 }
 

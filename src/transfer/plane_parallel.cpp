@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plane_parallel/adding.hpp"
+#include "plane_parallel/aureole_correction.hpp"
 #include "plane_parallel/layer_modes.hpp"
 #include "plane_parallel/scaled_medium.hpp"
 #include "plane_parallel/single_scattering.hpp"
@@ -19,9 +20,17 @@ using namespace plane_parallel;
 /// The Fourier series ends when two modes in a row change no radiance by more than this share of it.
 constexpr double kAzimuthConvergence = 1e-6;
 
-/// Streams at most: beyond, delta-M and its corrections take over. An overhead sun needs one mode only.
+/// Streams at most: beyond, delta-M and its corrections take over. An overhead sun needs one mode only; many
+/// layers cost many eigenproblems.
 constexpr int kMostStreams = 128;
-constexpr int kMostStreamsOverheadSun = 400;
+constexpr int kMostStreamsManyLayers = 96;
+constexpr int kMostStreamsOneMode = 400;
+constexpr std::size_t kManyLayers = 12;
+
+int most_streams(const OpticalColumn& column, bool one_mode) {
+  if (one_mode) return kMostStreamsOneMode;
+  return column.extinction_depth.size() > kManyLayers ? kMostStreamsManyLayers : kMostStreams;
+}
 
 bool is_overhead(double cosine) { return std::abs(cosine) > 1.0 - 1e-12; }
 
@@ -118,9 +127,8 @@ PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const Plan
   const bool symmetric =
       is_overhead(cos_sun) || std::all_of(request.cos_views.begin(), request.cos_views.end(), is_overhead);
   PlaneParallelResult result;
-  result.streams = request.streams != 0
-                       ? request.streams
-                       : streams_for(column, symmetric ? kMostStreamsOverheadSun : kMostStreams);
+  result.streams =
+      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, symmetric));
   const ScaledMedium medium = scale_medium(column, request.output_depths, result.streams);
   const Illumination light{cos_sun, request.isotropic_top_radiance, column.ground_albedo};
   const Eigen::VectorXd cos_views = Eigen::Map<const Eigen::VectorXd>(
@@ -141,6 +149,7 @@ PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const Plan
     converged = series.add(mode, at_bounds, medium.output_bounds);
     result.azimuth_modes = mode + 1;
   }
+  correct_aureole(column, medium, request, result.radiance);
   return result;
 }
 

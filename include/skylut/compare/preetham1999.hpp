@@ -12,8 +12,8 @@ namespace skylut {
 inline constexpr double kPreethamLowestTurbidity = 2.0;
 inline constexpr double kPreethamHighestTurbidity = 6.0;
 
-/// Zenith colour, Y in kcd/m². The formulas take any turbidity and sun, but are polynomials: luminance is not
-/// positive for T = 1 with the sun more than 4° up, and none of them is meant for T outside 2-6.
+/// Zenith colour, Y in kcd/m². The formulas take any turbidity and sun, but are polynomials meant for T from
+/// 2 to 6: for T = 1, luminance is negative with the sun within 12.9° of the zenith.
 /// @param sun_zenith_rad  [0, π/2]
 Yxy preetham1999_zenith_kcd_m2(double turbidity, double sun_zenith_rad);
 
@@ -27,7 +27,9 @@ class Preetham1999 final : public SkyModel {
   /// @throws InputError unless the turbidity is finite and at least 1 (1: air without aerosol)
   explicit Preetham1999(double turbidity);
 
-  /// @throws InputError unless sun and view have zenith angles within 0-90°
+  /// @throws InputError unless sun and view have zenith angles within 0-90°, and at the horizon for T
+  /// below 1.203,
+  ///         where B_Y > 0 and the formula is infinite
   Yxy sky(const Direction& sun, const Direction& view) const override;
 
  private:

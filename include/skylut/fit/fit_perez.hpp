@@ -71,7 +71,7 @@ struct FitReport {
 /// The order of the samples does not matter: mirror-symmetric skies give the same bits.
 ///
 /// A coefficient counts as determined if it is not on a bound, and if errors of the size of the residuals, or
-/// of 1e-3 of the data if that is more, move it by less than its own size (or less than 0.1, if that is
+/// of 1e-4 of the data if that is more, move it by less than its own size (or less than 0.1, if that is
 /// more). Equal samples in equal directions relative to the sun count as one datum. If γ is a function of θ,
 /// as with the sun at the zenith, no coefficient is determined: the data do not tell the two factors of the
 /// formula apart.

@@ -27,6 +27,7 @@ struct MonteCarloOptions {
 struct MonteCarloRadiance {
   double radiance = 0.0;
   double standard_error = 0.0;
+  std::uint64_t photons = 0;  ///< traced
 };
 
 /// Radiance of the sky by backward Monte Carlo in spherical shells (Collins et al. 1972): photons leave the

@@ -42,6 +42,7 @@ struct PlaneParallelResult {
 ///
 /// @param column  layers bottom to top
 /// @throws InputError  for values outside the ranges above
+/// @throws WorkError   for Legendre moments that no phase function >= 0 has
 PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const PlaneParallelRequest& request);
 
 }  // namespace skylut

@@ -32,14 +32,17 @@ PhaseSampler::PhaseSampler(const PhaseFunction& phase) : phase_(&phase) {
   for (double& share : cumulative_) share /= sum;
 }
 
-PhaseSampler::Sample PhaseSampler::draw(RandomStream& random) const {
+double PhaseSampler::draw(RandomStream& random) const {
   const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, random.uniform());
   const auto bin = static_cast<std::size_t>(found - cumulative_.begin());
-  const double width = edge_[bin] - edge_[bin + 1];
+  return edge_[bin + 1] + (edge_[bin] - edge_[bin + 1]) * random.uniform();
+}
+
+double PhaseSampler::density(double cos_angle) const {
+  const double angle = std::acos(std::clamp(cos_angle, -1.0, 1.0));
+  const auto bin = std::min(static_cast<std::size_t>(kBins * std::sqrt(angle / kPi)), cumulative_.size() - 1);
   const double share = bin == 0 ? cumulative_[0] : cumulative_[bin] - cumulative_[bin - 1];
-  const double cos_angle = edge_[bin + 1] + width * random.uniform();
-  // Density wanted: p/2 per unit cosΘ; density drawn from: share / width.
-  return {cos_angle, 0.5 * phase_->value(cos_angle) * width / share};
+  return share / (edge_[bin] - edge_[bin + 1]);
 }
 
 }  // namespace skylut::monte_carlo

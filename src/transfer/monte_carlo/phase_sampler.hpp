@@ -8,16 +8,17 @@
 namespace skylut::monte_carlo {
 
 /// Draws scattering angles for any phase function: bins in cosΘ, narrow towards the forward direction, are
-/// chosen by their share of |p|, the angle within a bin uniformly, and the weight p/q makes the draw exact.
+/// chosen by their share of |p|, the angle within a bin uniformly. What is drawn follows density(), close
+/// to p/2; the weight (p/2)/density makes an estimate exact.
 class PhaseSampler {
  public:
   explicit PhaseSampler(const PhaseFunction& phase);
 
-  struct Sample {
-    double cos_angle = 1.0;
-    double weight = 1.0;  ///< near 1; negative where a truncated Legendre series is
-  };
-  Sample draw(RandomStream& random) const;
+  /// cosΘ
+  double draw(RandomStream& random) const;
+
+  /// Of the draw, per unit cosΘ; its integral over -1 … 1 is 1.
+  double density(double cos_angle) const;
 
   double value(double cos_angle) const { return phase_->value(cos_angle); }
 

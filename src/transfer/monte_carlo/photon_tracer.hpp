@@ -24,7 +24,8 @@ class PhotonTracer {
   double sunlight_reflected(const Place& place) const;
   /// Scatters: new direction; returns the factor on the weight. 0 if the layer only absorbs.
   double scatter(const Place& place, Vector& direction, RandomStream& random) const;
-  void reflect(const Place& place, Vector& direction, RandomStream& random) const;
+  /// Reflects at the ground: the same.
+  double reflect(const Place& place, Vector& direction, RandomStream& random) const;
   /// Free flight to the next collision.
   WalkEnd fly(Place& place, const Vector& direction, RandomStream& random) const;
 
@@ -33,6 +34,8 @@ class PhotonTracer {
   int orders_;
   double ground_albedo_;
   std::vector<PhaseSampler> samplers_;
+  std::size_t most_peaked_ = 0;              ///< of the samplers
+  double share_towards_sun_ = 0.0;           ///< of directions drawn about the sun's, see photon_tracer.cpp
   std::vector<std::vector<double>> albedo_;  ///< [layer][scatterer]: share in the extinction
 };
 

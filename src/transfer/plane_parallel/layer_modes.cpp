@@ -6,6 +6,7 @@
 
 #include "normalised_legendre.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/errors.hpp"
 #include "skylut/core/quadrature.hpp"
 
 namespace skylut::plane_parallel {
@@ -14,6 +15,13 @@ namespace {
 /// The particular solution divides by λ² - K²: below this relative distance the beam's rate is moved, which
 /// changes the beam by less than 1e-7; at the distance itself 9 of 16 digits remain.
 constexpr double kResonance = 1e-7;
+
+/// K² is never negative for a phase function that is nowhere negative; rounding leaves some 1e-14 of the
+/// largest.
+constexpr double kRounding = 1e-12;
+constexpr const char* kImpossiblePhase =
+    "a layer's Legendre moments make it scatter more than it receives: must be those of a phase function >= "
+    "0";
 
 /// Rows of Λ with l+m even (parity 0) or odd (1), and the weights ω (2l+1) χ_l.
 struct Parity {
@@ -78,9 +86,13 @@ LayerModes solve_layer_modes(const LayerOptics& optics, const Ordinates& ordinat
   const Eigen::MatrixXd b = inverse_mu - even.nodes.transpose() * even.weight.asDiagonal() * even.nodes;
 
   const Eigen::LLT<Eigen::MatrixXd> cholesky(a);
+  if (cholesky.info() != Eigen::Success) throw WorkError(kImpossiblePhase);
   const Eigen::MatrixXd lower = cholesky.matrixL();
   const Eigen::MatrixXd product = lower.transpose() * b * lower;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(product);
+  if (eigen.info() != Eigen::Success ||
+      eigen.eigenvalues().minCoeff() < -kRounding * eigen.eigenvalues().maxCoeff())
+    throw WorkError(kImpossiblePhase);
   modes.rate = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
   // Isotropic light in a layer that absorbs nothing is the exact solution K = 0 (m = 0 only).
   if (optics.scattering_albedo == 1.0 && ordinates.mode == 0) modes.rate[0] = 0.0;

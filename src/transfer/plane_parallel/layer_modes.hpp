@@ -41,6 +41,7 @@ struct LayerModes {
 };
 
 /// Solves the eigenproblem of one material for one Fourier mode. @param cos_sun μ0
+/// @throws WorkError  for moments that no phase function >= 0 has
 LayerModes solve_layer_modes(const LayerOptics& optics, const Ordinates& ordinates, double cos_sun);
 
 /// Nodes, weights and Legendre functions for Fourier mode m.

@@ -9,12 +9,6 @@
 namespace skylut::plane_parallel {
 namespace {
 
-double cos_scattering_angle(double cos_view, double cos_sun, double azimuth) {
-  // The beam travels with cosine -μ0.
-  const double sines = std::sqrt((1.0 - cos_view * cos_view) * (1.0 - cos_sun * cos_sun));
-  return std::clamp(-cos_view * cos_sun + sines * std::cos(azimuth), -1.0, 1.0);
-}
-
 /// ∫ e^{-τ/μ0} e^{-|τ-τ_b|/μ} dτ/μ over each material, at every boundary: boundaries × materials.
 Eigen::MatrixXd beam_integrals(const ScaledMedium& medium, double cos_view, double cos_sun) {
   const std::size_t count = medium.slices.size();
@@ -37,6 +31,12 @@ Eigen::MatrixXd beam_integrals(const ScaledMedium& medium, double cos_view, doub
 }
 
 }  // namespace
+
+double cos_scattering_angle(double cos_view, double cos_sun, double azimuth) {
+  // The beam travels with cosine -μ0.
+  const double sines = std::sqrt((1.0 - cos_view * cos_view) * (1.0 - cos_sun * cos_sun));
+  return std::clamp(-cos_view * cos_sun + sines * std::cos(azimuth), -1.0, 1.0);
+}
 
 std::vector<double> exact_single_scattering(const OpticalColumn& column, const ScaledMedium& medium,
                                             const PlaneParallelRequest& request) {

@@ -12,4 +12,7 @@ namespace skylut::plane_parallel {
 std::vector<double> exact_single_scattering(const OpticalColumn& column, const ScaledMedium& medium,
                                             const PlaneParallelRequest& request);
 
+/// Cosine of the angle by which the beam turns into a direction; arguments as in PlaneParallelRequest.
+double cos_scattering_angle(double cos_view, double cos_sun, double azimuth);
+
 }  // namespace skylut::plane_parallel

@@ -58,6 +58,8 @@ TEST(Preetham1999, RefusesWhatItIsNotDefinedFor) {
   EXPECT_THROW(Preetham1999(std::nan("")), InputError);
   EXPECT_THROW(Preetham1999(2.0).sky({91.0, 0.0}, {0.0, 0.0}), InputError);
   EXPECT_THROW(Preetham1999(2.0).sky({45.0, 0.0}, {91.0, 0.0}), InputError);
+  EXPECT_THROW(Preetham1999(1.2).sky({45.0, 0.0}, {90.0, 0.0}), InputError);
+  EXPECT_NO_THROW(Preetham1999(1.21).sky({45.0, 0.0}, {90.0, 0.0}));
 }
 
 }  // namespace
