@@ -58,6 +58,17 @@ std::string help_of(const CLI::App& app) {
   return chosen.empty() ? "skylut --help" : "skylut " + chosen.front()->get_name() + " --help";
 }
 
+// CLI11 would only say that a command is missing.
+void require_known_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw skylut::InputError("command '{}': must be one of {}", argv[1], names);
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"skylut turns an atmosphere into a fitted sky model.", "skylut"};
   app.set_version_flag("--version", std::string("skylut ") + skylut::kVersion);
@@ -69,6 +80,7 @@ int run(int argc, char** argv) {
   skylut::cli::add_compare_command(app);
   skylut::cli::add_profile_command(app);
   skylut::cli::add_solve_command(app);
+  require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);
     return finish();

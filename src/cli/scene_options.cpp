@@ -14,9 +14,9 @@ namespace {
 
 Quality parse_quality(const std::string& text) {
   if (text == "draft") return Quality::draft;
-  if (text == "standard") return Quality::standard;
+  if (text == "default") return Quality::standard;
   if (text == "reference") return Quality::reference;
-  throw InputError("--quality '{}': must be draft, standard or reference", text);
+  throw InputError("--quality '{}': must be draft, default or reference", text);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void SceneOptions::add_to(CLI::App& command) {
       ->capture_default_str()
       ->type_name("LO:HI:STEP")
       ->group(computing);
-  command.add_option("--quality", quality_, "draft, standard or reference")
+  command.add_option("--quality", quality_, "draft, default or reference")
       ->capture_default_str()
       ->type_name("NAME")
       ->group(computing);

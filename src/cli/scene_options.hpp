@@ -45,7 +45,7 @@ class SceneOptions {
   std::string latitude_;
   std::string longitude_;
   double height_m_ = 0.0;
-  std::string quality_ = "standard";
+  std::string quality_ = "default";
   int threads_ = 0;
 };
 

@@ -37,7 +37,7 @@ skylut_refuses(map_longitude_no_angle 2 "2d75'E" map -o sky.csv --latitude 48 --
 
 skylut_refuses(map_directions_unknown 2 "--directions 'utm270'.*utm271, preetham343" map -o sky.csv
   --sun-zenith-deg 45 --directions utm270)
-skylut_refuses(map_directions_broken 2 "mine.csv:3: zenith_deg '1O'" map -o sky.csv --sun-zenith-deg 45
+skylut_refuses(map_directions_broken 2 "mine.csv:3: column 'zenith_deg': '1O'" map -o sky.csv --sun-zenith-deg 45
   --directions mine.csv INPUT "mine.csv=zenith_deg,azimuth_deg\\n0,0\\n1O,20\\n")
 skylut_refuses(map_directions_for_picture 2 "--directions: is for .csv" map -o sky.exr --sun-zenith-deg 45
   --directions utm271)

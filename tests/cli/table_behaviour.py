@@ -105,6 +105,18 @@ class Table(unittest.TestCase):
         # The first direction is the zenith, whose colour the table holds.
         self.assertAlmostEqual(float(sky[0]["Y_cd_m2"]) / 1000, float(self.rows[10]["Y_zenith_kcd_m2"]), places=12)
 
+    def test_fitting_a_saved_map_gives_its_row(self):
+        for row in (5, 11):
+            name = f"fit_{row}.json"
+            self.work.succeed("fit", f"out/one/maps/entry_{row:03}.csv", "-o", name)
+            found = json.loads(self.work.path(name).read_text(encoding="utf-8"))
+            for channel in "Yxy":
+                for letter in "ABCDE":
+                    # The map's numbers read back exactly; angles go through degrees once more, which moves the
+                    # coefficients by rounding.
+                    expected = float(self.rows[row - 1][f"{letter}_{channel}"])
+                    self.assertAlmostEqual(found[channel]["coefficients"][letter] / expected, 1, places=6)
+
     def test_the_screen_shows_every_row_and_all_turbidities(self):
         self.assertIn("12 rows", self.screen)
         self.assertIn("preetham-t", self.screen)

@@ -16,11 +16,11 @@ skylut_refuses(table_altitude_nan 2 "--altitudes-km 'nan'" table --out out --alt
 skylut_refuses(table_altitude_infinite 2 "--altitudes-km 'inf'" table --out out --altitudes-km inf)
 skylut_refuses(table_altitude_word 2 "--altitudes-km '6km'" table --out out --altitudes-km 6km)
 skylut_refuses(table_altitude_gap 2 "--altitudes-km ''" table --out out --altitudes-km 0,,6)
-skylut_refuses(table_altitude_none 2 "--altitudes-km ''" table --out out --altitudes-km=)
+skylut_refuses(table_altitude_none 2 "--altitudes-km: 1 required LIST missing" table --out out --altitudes-km=)
 skylut_refuses(table_altitude_twice 2 "--altitudes-km 0,6,0.*number 3.*different" table --out out --altitudes-km 0,6,0)
 
 skylut_refuses(table_turbidity_negative 2 "--turbidities '-0.1'.*at least 0|within 0" table --out out --turbidities -0.1)
-skylut_refuses(table_turbidity_below_1 2 "preetham-t.*0.5" table --out out
+skylut_refuses(table_turbidity_below_1 2 "turbidity 0.5 .preetham-t.*at least 1" table --out out
   --turbidity-kind preetham-t --turbidities 0.5)
 skylut_refuses(table_visibility_beyond_clear_air 2 "visibility" table --out out
   --turbidity-kind visibility-km --turbidities 1000)
