@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "discretisation.hpp"
+#include "kernel_problem.hpp"
 
 namespace skylut::transfer {
 
@@ -22,6 +23,11 @@ struct BlockOptics {
   std::vector<float> source_factor;      ///< [layer][degree l][lane]: ω (2l+1) χ_l, scaled
   std::vector<float> scattering_per_km;  ///< [scatterer][layer][lane], not scaled: exact single scattering
   std::vector<float> ground_albedo;      ///< [lane]
+
+  OpticsView view() const {
+    return {scatterers, extinction_per_km.data(), source_factor.data(), scattering_per_km.data(),
+            ground_albedo.data()};
+  }
 
   /// Exact phase function of each scatterer and lane at one scattering angle: [scatterer][lane].
   void phase_values(double cos_scattering_angle, float* value) const;

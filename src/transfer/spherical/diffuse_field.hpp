@@ -20,11 +20,17 @@ class LaneArray {
     fill(V{});
   }
   ~LaneArray() { ::operator delete (data_, std::align_val_t{sizeof(V)}); }
+  LaneArray(LaneArray&& from) noexcept : data_(from.data_), size_(from.size_) { from.data_ = nullptr; }
   LaneArray(const LaneArray&) = delete;
   LaneArray& operator=(const LaneArray&) = delete;
+  LaneArray& operator=(LaneArray&&) = delete;
 
   V* data() { return data_; }
   const V* data() const { return data_; }
+  std::size_t size() const { return size_; }
+  void copy(const LaneArray& from) {
+    for (std::size_t i = 0; i < size_; ++i) data_[i] = from.data_[i];
+  }
   void fill(V value) {
     for (std::size_t i = 0; i < size_; ++i) data_[i] = value;
   }
@@ -59,16 +65,20 @@ class DiffuseField {
         mean_change_(count(grid.sublayers + 1, 1)),
         last_change_(count(1, 1)),
         scaled_moments_(static_cast<std::size_t>(grid.moments)),
-        orders_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {}
+        orders_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {
+    source_half_[kDown] = half_[kDown].data();
+    source_half_[kUp] = half_[kUp].data();
+  }
 
-  /// Iterates until every lane and sun node has converged, or the orders asked for are summed.
+  /// Iterates until every lane and sun node has converged (Gauss-Seidel: every step uses the newest field),
+  /// or sums the orders asked for one by one (every step uses the field of one order less).
   /// @return false if a lane has not converged within the limit
   bool solve(const IterationLimits& limits);
 
-  /// Moments of the whole diffuse radiance at a level and sun node (after solve).
-  const V* moments(int level, int node) const { return half_[kDown].data() + moment_index(level, node); }
-  /// Diffuse irradiance of the ground at a sun node.
-  V ground_irradiance(int node) const { return ground_irradiance_.data()[node]; }
+  /// Moments of the whole diffuse radiance [level][node][moment] and diffuse irradiance of the ground
+  /// [node], after solve.
+  LaneArray<V> take_moments() { return static_cast<LaneArray<V>&&>(half_[kDown]); }
+  LaneArray<V> take_ground_irradiance() { return static_cast<LaneArray<V>&&>(ground_irradiance_); }
 
  private:
   static constexpr int kWatched = 3;
@@ -85,7 +95,7 @@ class DiffuseField {
 
   void attenuate_beam();
   void sweep_down(LaneMask<V> active);
-  void reflect_at_ground(LaneMask<V> active);
+  void reflect_at_ground(LaneMask<V> active, bool by_order);
   void sweep_up(LaneMask<V> active);
   void source(Hemisphere half, int sublayer, int level, int node, int polar_count, V* to);
   void analyse(Hemisphere half, int level, int node, LaneMask<V> active);
@@ -95,6 +105,7 @@ class DiffuseField {
 
   const SweepView& grid_;
   const OpticsView& optics_;
+  const V* source_half_[2];    // the moments that make the source: half_, or those of one order less
   LaneArray<V> half_[2];       // moments of each hemisphere [level][node][moment]
   LaneArray<V> beam_;          // transmission of the sunbeam [point][node]
   LaneArray<V> radiance_;      // at the level the sweep has reached [node][direction]
@@ -113,9 +124,24 @@ template <class V>
 bool DiffuseField<V>::solve(const IterationLimits& limits) {
   attenuate_beam();
   LaneMask<V> active = V{} == V{};
+  if (limits.orders > 0) {
+    LaneArray<V> previous[2] = {LaneArray<V>(half_[kDown].size()), LaneArray<V>(half_[kUp].size())};
+    // The last order is added by the line of sight.
+    for (int order = 1; order < limits.orders; ++order) {
+      for (const Hemisphere half : {kDown, kUp}) {
+        previous[half].copy(half_[half]);
+        source_half_[half] = previous[half].data();
+      }
+      sweep_down(active);
+      reflect_at_ground(active, true);
+      sweep_up(active);
+    }
+    merge_halves();
+    return true;
+  }
   for (int iteration = 1; iteration <= limits.max_iterations; ++iteration) {
     sweep_down(active);
-    reflect_at_ground(active);
+    reflect_at_ground(active, false);
     sweep_up(active);
     active = accelerate_and_test(iteration, limits, active);
     bool any = false;
@@ -159,8 +185,8 @@ void DiffuseField<V>::source(Hemisphere half, int sublayer, int level, int node,
       select<V>(ends > 1e-30f, (lower + 4.0f * middle + upper) / (3.0f * (ends + 1e-30f)), V{});
   const V transmission = beam[2 * level * nodes] * correction;
 
-  const V* down = half_[kDown].data() + moment_index(level, node);
-  const V* up = half_[kUp].data() + moment_index(level, node);
+  const V* down = source_half_[kDown] + moment_index(level, node);
+  const V* up = source_half_[kUp] + moment_index(level, node);
   const float* beam_moment = grid_.beam_moment + node * grid_.moments;
   const float* factor = optics_.source_factor + layer * grid_.degrees * kLaneCount<V>;
   V* scaled = scaled_moments_.data();
@@ -281,19 +307,21 @@ void DiffuseField<V>::sweep_down(LaneMask<V> active) {
   }
 }
 
-/// Lambertian ground: I = A/π (diffuse irradiance + μs T).
+/// Lambertian ground: I = A/π (diffuse irradiance + μs T). Order by order the irradiance is that of one order
+/// less.
 template <class V>
-void DiffuseField<V>::reflect_at_ground(LaneMask<V> active) {
+void DiffuseField<V>::reflect_at_ground(LaneMask<V> active, bool by_order) {
   const V albedo = load<V>(optics_.ground_albedo);
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* radiance = radiance_.data() + node * directions();
     V irradiance{};
     for (int d = 0; d < directions(); ++d) irradiance += radiance[d] * grid_.flux_weight[d];
     V& kept = ground_irradiance_.data()[node];
+    const V before = kept;
     kept = select<V>(active, irradiance, kept);
     const float cosine = grid_.sun_cosine[node];
     const V direct = cosine > 0.0f ? beam_.data()[node] * cosine : V{};
-    const V reflected = albedo * (kept + direct) * 0.318309886f;
+    const V reflected = albedo * ((by_order ? before : kept) + direct) * 0.318309886f;
     for (int d = 0; d < directions(); ++d) radiance[d] = reflected;
     analyse(kUp, 0, node, active);
   }
@@ -340,7 +368,7 @@ LaneMask<V> DiffuseField<V>::accelerate_and_test(int iteration, const IterationL
     before = change;
     if (!judged) continue;
     open |= change * rest > size * limits.tolerance;
-    if (!pushes || limits.orders != 0) continue;
+    if (!pushes) continue;
     const V push = lane_min(rest, broadcast<V>(6.0f));
     for (int level = 0; level < levels; ++level) {
       V* watched = watched_.data() + static_cast<std::size_t>(level * grid_.sun_nodes + node) * kWatched;

@@ -3,9 +3,9 @@
 // Compiled for AVX512; see CMakeLists.txt and lanes.hpp.
 namespace skylut::transfer {
 
-bool run_block_avx512(const SweepView& grid, const OpticsView& optics, const IterationLimits& limits,
-                      RayQueue& queue) {
-  return run_block<LaneRegister<16>::type>(grid, optics, limits, queue);
+SolvedBlock* solve_block_avx512(const SweepView& grid, const OpticsView& optics,
+                                const IterationLimits& limits) {
+  return solve_block<LaneRegister<16>::type>(grid, optics, limits);
 }
 
 }  // namespace skylut::transfer

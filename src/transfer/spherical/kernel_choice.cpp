@@ -8,7 +8,7 @@ namespace skylut::transfer {
 
 const Kernel& best_kernel() {
   static constexpr Kernel kKernels[] = {
-      {"avx512", 16, run_block_avx512}, {"avx2", 8, run_block_avx2}, {"sse2", 4, run_block_sse2}};
+      {"avx512", 16, solve_block_avx512}, {"avx2", 8, solve_block_avx2}, {"sse2", 4, solve_block_sse2}};
   const bool available[] = {__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                                 __builtin_cpu_supports("avx512vl"),
                             __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), true};

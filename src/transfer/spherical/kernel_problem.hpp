@@ -89,37 +89,34 @@ struct RayView {
   const float* azimuth_factor;     ///< [end][pair][m]: (2-δ_m0) cos mφ
   const LitPart* lit;              ///< all pairs in turn
   const int* first_lit;            ///< [pair], with one past the last
-  const float* phase;              ///< [pair][scatterer][lane]
   const float* level_altitude_km;  ///< [layer + 1] of the medium
   const LitPart* ground_beam;  ///< [pair]: only its near end counts; length 0 if the sun is below the horizon
   const float* ground_sun_cosine;  ///< [pair]
 };
 
-/// Hands lines of sight to a kernel one by one, and takes their radiances.
-class RayQueue {
+/// The diffuse field of one block, solved, which answers lines of sight. Calls may run in parallel.
+class SolvedBlock {
  public:
-  virtual ~RayQueue() = default;
-  virtual int rays() const = 0;
-  virtual int most_segments() const = 0;
-  virtual int most_pairs() const = 0;
-  virtual RayView ray(int index) = 0;
-  /// @param radiance  [pair][lane]
-  virtual void store(int index, const float* radiance) = 0;
+  virtual ~SolvedBlock() = default;
+  /// @param phase     exact phase functions at the pairs' scattering angles, [pair][scatterer][lane]
+  /// @param radiance  sr⁻¹, [pair][lane]
+  virtual void line_of_sight(const RayView& ray, const float* phase, float* radiance) const = 0;
 };
 
-/// Solves one block and answers its rays. @return false if the orders of scattering did not converge
-using RunBlock = bool (*)(const SweepView&, const OpticsView&, const IterationLimits&, RayQueue&);
+/// Solves the diffuse field of one block; the views must outlive the result. The caller owns it.
+/// @return null if the orders of scattering did not converge
+using SolveBlock = SolvedBlock* (*)(const SweepView&, const OpticsView&, const IterationLimits&);
 
 /// One build of the solver: how many lanes it works on at once.
 struct Kernel {
   const char* instruction_set;
   int lanes;
-  RunBlock run_block;
+  SolveBlock solve_block;
 };
 
-bool run_block_sse2(const SweepView&, const OpticsView&, const IterationLimits&, RayQueue&);
-bool run_block_avx2(const SweepView&, const OpticsView&, const IterationLimits&, RayQueue&);
-bool run_block_avx512(const SweepView&, const OpticsView&, const IterationLimits&, RayQueue&);
+SolvedBlock* solve_block_sse2(const SweepView&, const OpticsView&, const IterationLimits&);
+SolvedBlock* solve_block_avx2(const SweepView&, const OpticsView&, const IterationLimits&);
+SolvedBlock* solve_block_avx512(const SweepView&, const OpticsView&, const IterationLimits&);
 
 /// The widest build that this machine can run; SKYLUT_SIMD=sse2|avx2|avx512 chooses a narrower one.
 const Kernel& best_kernel();

@@ -3,9 +3,9 @@
 // Compiled for SSE2; see CMakeLists.txt and lanes.hpp.
 namespace skylut::transfer {
 
-bool run_block_sse2(const SweepView& grid, const OpticsView& optics, const IterationLimits& limits,
-                    RayQueue& queue) {
-  return run_block<LaneRegister<4>::type>(grid, optics, limits, queue);
+SolvedBlock* solve_block_sse2(const SweepView& grid, const OpticsView& optics,
+                              const IterationLimits& limits) {
+  return solve_block<LaneRegister<4>::type>(grid, optics, limits);
 }
 
 }  // namespace skylut::transfer

@@ -43,6 +43,19 @@ inline V depth_to_sun(const RayView& ray, const OpticsView& optics, int layers, 
   return depth;
 }
 
+/// The diffuse field after the iteration.
+template <class V>
+struct Solution {
+  const SweepView& grid;
+  LaneArray<V> moment;             // [level][node][moment]
+  LaneArray<V> ground_irradiance;  // diffuse [node]
+
+  const V* moments(int level, int node) const {
+    return moment.data() +
+           static_cast<std::size_t>(level * grid.sun_nodes + node) * static_cast<std::size_t>(grid.moments);
+  }
+};
+
 /// Mean of e^-a over a step in which a goes linearly from a0 to a1.
 template <class V>
 inline V mean_attenuation(V a0, V a1) {
@@ -58,17 +71,19 @@ struct RayScratch {
       : depth(static_cast<std::size_t>(segments + 1)),
         source_orders(static_cast<std::size_t>(sun_nodes * orders)),
         near_source(static_cast<std::size_t>(pairs)),
-        far_source(static_cast<std::size_t>(pairs)) {}
+        far_source(static_cast<std::size_t>(pairs)),
+        radiance(static_cast<std::size_t>(pairs)) {}
   LaneArray<V> depth;  // from the observer to each segment's near end
   LaneArray<V> source_orders;
   LaneArray<V> near_source;
   LaneArray<V> far_source;
+  LaneArray<V> radiance;
 };
 
 /// Source of the diffuse field in the direction of the ray at one end of a segment, for every pair.
 template <class V>
 inline void ray_source(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                       const DiffuseField<V>& field, int segment, bool far, V* source_orders, V* to) {
+                       const Solution<V>& field, int segment, bool far, V* source_orders, V* to) {
   const RaySegment& part = ray.segment[segment];
   const int end = 2 * segment + (far ? 1 : 0);
   const float fraction = far ? part.far_fraction : part.near_fraction;
@@ -112,8 +127,8 @@ inline void ray_source(const SweepView& grid, const OpticsView& optics, const Ra
 /// Single scattering of the sun along the ray for one pair.
 template <class V>
 inline V single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                           const V* depth, int pair) {
-  const float* phase = ray.phase + static_cast<std::size_t>(pair * optics.scatterers) * kLaneCount<V>;
+                           const float* phases, const V* depth, int pair) {
+  const float* phase = phases + static_cast<std::size_t>(pair * optics.scatterers) * kLaneCount<V>;
   V sum{};
   V far_depth{};
   float far_altitude = -1.0f;
@@ -144,7 +159,7 @@ inline V single_scattering(const SweepView& grid, const OpticsView& optics, cons
 /// Radiance of the ray for every pair: out[pair], sr⁻¹.
 template <class V>
 inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                          const DiffuseField<V>& field, RayScratch<V>& scratch, V* out) {
+                          const float* phases, const Solution<V>& field, RayScratch<V>& scratch, V* out) {
   V* depth = scratch.depth.data();
   depth[0] = V{};
   for (int segment = 0; segment < ray.segments; ++segment) {
@@ -152,7 +167,8 @@ inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const
     depth[segment + 1] = depth[segment] + load<V>(optics.extinction_per_km + layer * kLaneCount<V>) *
                                               ray.segment[segment].length_km;
   }
-  for (int pair = 0; pair < ray.pairs; ++pair) out[pair] = single_scattering(grid, optics, ray, depth, pair);
+  for (int pair = 0; pair < ray.pairs; ++pair)
+    out[pair] = single_scattering(grid, optics, ray, phases, depth, pair);
 
   V* near_source = scratch.near_source.data();
   V* far_source = scratch.far_source.data();
@@ -181,7 +197,8 @@ inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const
   for (int pair = 0; pair < ray.pairs; ++pair) {
     V irradiance{};
     for (int t = 0; t < 4; ++t)
-      irradiance += field.ground_irradiance(sources[pair].first_node + t) * sources[pair].node_weight[t];
+      irradiance +=
+          field.ground_irradiance.data()[sources[pair].first_node + t] * sources[pair].node_weight[t];
     if (ray.ground_sun_cosine[pair] > 0.0f)
       irradiance += exp_minus(depth_to_sun<V>(ray, optics, grid.layers, 0.0f,
                                               ray.ground_beam[pair].near_perigee_km, false)) *
@@ -190,20 +207,29 @@ inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const
   }
 }
 
-/// Solves a block: first the diffuse field, then every line of sight.
 template <class V>
-inline bool run_block(const SweepView& grid, const OpticsView& optics, const IterationLimits& limits,
-                      RayQueue& queue) {
-  DiffuseField<V> field(grid, optics);
-  if (!field.solve(limits)) return false;
-  RayScratch<V> scratch(queue.most_segments(), queue.most_pairs(), grid.sun_nodes, grid.azimuthal_orders);
-  LaneArray<V> radiance(static_cast<std::size_t>(queue.most_pairs()));
-  for (int index = 0; index < queue.rays(); ++index) {
-    const RayView ray = queue.ray(index);
-    line_of_sight(grid, optics, ray, field, scratch, radiance.data());
-    queue.store(index, reinterpret_cast<const float*>(radiance.data()));
+class SolvedLanes final : public SolvedBlock {
+ public:
+  SolvedLanes(const SweepView& grid, const OpticsView& optics, DiffuseField<V>& field)
+      : optics_(optics), solution_{grid, field.take_moments(), field.take_ground_irradiance()} {}
+
+  void line_of_sight(const RayView& ray, const float* phase, float* radiance) const override {
+    const SweepView& grid = solution_.grid;
+    RayScratch<V> scratch(ray.segments, ray.pairs, grid.sun_nodes, grid.azimuthal_orders);
+    transfer::line_of_sight(grid, optics_, ray, phase, solution_, scratch, scratch.radiance.data());
+    __builtin_memcpy(radiance, scratch.radiance.data(), static_cast<std::size_t>(ray.pairs) * sizeof(V));
   }
-  return true;
+
+ private:
+  OpticsView optics_;
+  Solution<V> solution_;
+};
+
+template <class V>
+inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
+                                const IterationLimits& limits) {
+  DiffuseField<V> field(grid, optics);
+  return field.solve(limits) ? new SolvedLanes<V>(grid, optics, field) : nullptr;
 }
 
 }  // namespace skylut::transfer

@@ -240,12 +240,15 @@ void RayGeometry::add_lit_parts(const Discretisation& grid, const std::vector<Po
   ground_sun_cosine_.push_back(static_cast<float>(ground_cosine));
 }
 
-RayView RayGeometry::view(const Discretisation& grid, const BlockOptics& optics,
-                          std::vector<float>& phase) const {
+std::vector<float> RayGeometry::phases(const BlockOptics& optics) const {
   const auto stride = static_cast<std::size_t>(optics.scatterers * optics.lanes);
-  phase.resize(stride * cos_scattering_.size());
+  std::vector<float> phase(stride * cos_scattering_.size());
   for (std::size_t pair = 0; pair < cos_scattering_.size(); ++pair)
     optics.phase_values(cos_scattering_[pair], phase.data() + pair * stride);
+  return phase;
+}
+
+RayView RayGeometry::view(const Discretisation& grid) const {
   return {segments(),
           pairs(),
           hits_ground_,
@@ -257,7 +260,6 @@ RayView RayGeometry::view(const Discretisation& grid, const BlockOptics& optics,
           azimuth_factor_.data(),
           lit_.data(),
           first_lit_.data(),
-          phase.data(),
           level_altitude_km_.data(),
           ground_beam_.data(),
           ground_sun_cosine_.data()};

@@ -26,8 +26,11 @@ class RayGeometry {
   int segments() const { return static_cast<int>(segment_.size()); }
   int pairs() const { return static_cast<int>(cos_scattering_.size()); }
 
-  /// The kernel's view for one block; it points into this object and into `phase`, which it fills.
-  RayView view(const Discretisation& grid, const BlockOptics& optics, std::vector<float>& phase) const;
+  /// The kernel's view; it points into this object.
+  RayView view(const Discretisation& grid) const;
+
+  /// Exact phase functions of a block at the scattering angles of the pairs: [pair][scatterer][lane].
+  std::vector<float> phases(const BlockOptics& optics) const;
 
  private:
   struct Point {

@@ -1,4 +1,4 @@
-#include "block.hpp"
+#include "sweep_tables.hpp"
 
 #include <cmath>
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+
+#include "skylut/transfer/sky_radiance.hpp"
+
+namespace skylut::transfer {
+
+/// @throws InputError naming the first value of the shells, columns or request that is out of range
+void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request);
+
+}  // namespace skylut::transfer
