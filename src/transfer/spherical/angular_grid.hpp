@@ -21,10 +21,6 @@ struct AngularResolution {
 /// Light travels down (μ < 0) or up (μ > 0).
 enum Hemisphere { kDown = 0, kUp = 1 };
 
-/// Normalised associated Legendre functions Λ_lm(μ) = √((l-m)!/(l+m)!) P_lm(μ) for one m and all l from m
-/// to max_l (without the Condon-Shortley sign); the normalisation keeps them within ±1.
-std::vector<double> normalised_legendre(int m, int max_l, double mu);
-
 /// A small dense matrix in the panels of apply_matrix (lanes.hpp), zero-padded to whole panels.
 class PanelMatrix {
  public:

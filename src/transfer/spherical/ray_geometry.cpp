@@ -5,6 +5,7 @@
 
 #include "interpolation.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/legendre.hpp"
 
 namespace skylut::transfer {
 
