@@ -13,7 +13,9 @@ namespace skylut::transfer {
 /// [theory.md §4.4, eqs. S1-S4]
 struct BlockOptics {
   /// Packs columns (at most `lanes`; the last one fills the lanes left over).
-  BlockOptics(const Discretisation& grid, std::span<const OpticalColumn* const> columns, int lanes);
+  /// @param delta_m  false: leave the forward peak in, so that orders of scattering are those of the medium
+  BlockOptics(const Discretisation& grid, std::span<const OpticalColumn* const> columns, int lanes,
+              bool delta_m);
 
   int lanes;
   std::vector<const OpticalColumn*> column;  ///< one per lane
