@@ -10,7 +10,7 @@ namespace skylut::transfer {
 std::vector<double> normalised_legendre(int m, int max_l, double mu) {
   std::vector<double> lambda(static_cast<std::size_t>(max_l - m + 1));
   // Λ_mm = √((2m)!)/(2^m m!) (1-μ²)^{m/2}, then the three-term recurrence in l
-  // (Abramowitz & Stegun 8.5.3 with the normalisation divided out). [M2]
+  // (Abramowitz & Stegun 8.5.3 with the normalisation divided out).
   const double sine = std::sqrt(std::max(0.0, 1.0 - mu * mu));
   double previous = 0.0;
   double current = 1.0;

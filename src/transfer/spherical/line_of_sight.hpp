@@ -3,13 +3,13 @@
 #include "diffuse_field.hpp"
 
 // Radiance along one line of sight for all suns and azimuths that share it: the diffuse field's source by
-// its moments, and the sun's single scattering exactly. [theory.md §4.6, L1-L4]
+// its moments, and the sun's single scattering exactly. [theory.md §4.6]
 
 namespace skylut::transfer {
 
 /// Optical depth between a point and the sun, on exact shell paths. With p the distance of the sunbeam's
 /// line from the planet's centre and s_h = √(r_h² - p²), a layer's path is s_top - s_bottom, formed as
-/// (r_top² - r_bottom²)/(s_top + s_bottom) so that single precision keeps all its digits. [G2-G4]
+/// (r_top² - r_bottom²)/(s_top + s_bottom) so that single precision keeps all its digits.
 template <class V>
 inline V depth_to_sun(const RayView& ray, const OpticsView& optics, int layers, float altitude_km,
                       float perigee_km, bool down) {
@@ -43,7 +43,7 @@ inline V depth_to_sun(const RayView& ray, const OpticsView& optics, int layers, 
   return depth;
 }
 
-/// Mean of e^-a over a step in which a goes linearly from a0 to a1. [L2]
+/// Mean of e^-a over a step in which a goes linearly from a0 to a1.
 template <class V>
 inline V mean_attenuation(V a0, V a1) {
   const V least = lane_min(a0, a1);
@@ -66,7 +66,6 @@ struct RayScratch {
 };
 
 /// Source of the diffuse field in the direction of the ray at one end of a segment, for every pair.
-/// [M3, L3]
 template <class V>
 inline void ray_source(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                        const DiffuseField<V>& field, int segment, bool far, V* source_orders, V* to) {
@@ -110,7 +109,7 @@ inline void ray_source(const SweepView& grid, const OpticsView& optics, const Ra
   }
 }
 
-/// Single scattering of the sun along the ray for one pair. [L1]
+/// Single scattering of the sun along the ray for one pair.
 template <class V>
 inline V single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                            const V* depth, int pair) {
@@ -142,7 +141,7 @@ inline V single_scattering(const SweepView& grid, const OpticsView& optics, cons
   return sum * 0.0795774715f;  // 1/4π
 }
 
-/// Radiance of the ray for every pair: out[pair], sr⁻¹. [L1 + L3 + L4]
+/// Radiance of the ray for every pair: out[pair], sr⁻¹.
 template <class V>
 inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                           const DiffuseField<V>& field, RayScratch<V>& scratch, V* out) {
