@@ -39,7 +39,7 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
         scattering_per_km[(s * layer_count + layer) * width + lane] =
             static_cast<float>(depth / thickness_km);
       }
-      // Truncated forward peak: f = χ_{L+1}; β' = β - f β_sca, and β'ω'χ'_l = β_sca (χ_l - f).
+      // Truncated forward peak: f = χ_{L+1}; β' = β - f β_sca, and β'ω'χ'_l = β_sca (χ_l - f). [S2-S4]
       const double peak = delta_m ? mixed[degree_count] : 0.0;
       const double extinction = one.extinction_depth[layer] - peak;
       extinction_per_km[layer * width + lane] = static_cast<float>(extinction / thickness_km);
