@@ -1,5 +1,6 @@
 #include "solve_case.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -192,6 +193,19 @@ Json solve_plane_layers(const JsonReader& file, const SolveOptions& options) {
   return answer;
 }
 
+/// Largest relative share of the radiance that the orders left out hold, over all directions.
+double truncation_error(const AltitudeCase& read, const SkyRequest& request, TransferOptions transfer,
+                        const SkyRadiance& truncated) {
+  transfer.orders = 0;
+  const SkyRadiance whole = solve_sky_radiance(read.shells, {&read.column, 1}, request, transfer);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < request.views.size(); ++i)
+    if (whole.at(0, 0, 0, i) > 0.0f)
+      largest = std::max(
+          largest, std::abs(1.0 - static_cast<double>(truncated.at(0, 0, 0, i)) / whole.at(0, 0, 0, i)));
+  return largest;
+}
+
 Json solve_shells(const JsonReader& file, const SolveOptions& options) {
   AltitudeCase read = read_altitude_schema(file);
   read.shells.planet_radius_km = file.at("planet_radius_km").number(1.0, 1e9, "within 1-1e9 km");
@@ -218,6 +232,10 @@ Json solve_shells(const JsonReader& file, const SolveOptions& options) {
   const SkyRadiance radiance = solve_sky_radiance(read.shells, {&read.column, 1}, request, transfer);
   for (std::size_t i = 0; i < read.views.size(); ++i)
     write_radiance(answer["results"][i], static_cast<double>(radiance.at(0, 0, 0, i)), 0.0);
+  if (options.orders > 0) {
+    answer["orders"] = options.orders;
+    answer["truncation_error"] = truncation_error(read, request, transfer, radiance);
+  }
   return answer;
 }
 

@@ -8,7 +8,7 @@
 namespace skylut::transfer {
 
 /// How finely directions are resolved. The diffuse radiance enters the source only through its moments
-///   M_lm = (1/4π) ∫ Λ_lm(μ) cos(mφ) I dΩ,  l <= max_l, m <= min(l, max_m).   [theory.md §4.2]
+///   M_lm = (1/4π) ∫ Λ_lm(μ) cos(mφ) I dΩ,  l <= max_l, m <= min(l, max_m).   [theory.md §4.3, M1]
 struct AngularResolution {
   int max_l = 12;          ///< highest Legendre order of the (delta-M scaled) phase function
   int max_m = 9;           ///< highest azimuthal order
@@ -20,10 +20,6 @@ struct AngularResolution {
 
 /// Light travels down (μ < 0) or up (μ > 0).
 enum Hemisphere { kDown = 0, kUp = 1 };
-
-/// Normalised associated Legendre functions Λ_lm(μ) = √((l-m)!/(l+m)!) P_lm(μ) for one m and all l from m
-/// to max_l (without the Condon-Shortley sign); the normalisation keeps them within ±1.
-std::vector<double> normalised_legendre(int m, int max_l, double mu);
 
 /// A small dense matrix in the panels of apply_matrix (lanes.hpp), zero-padded to whole panels.
 class PanelMatrix {

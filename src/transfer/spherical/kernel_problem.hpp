@@ -73,6 +73,7 @@ struct LitPart {
   float start_km;  ///< of its near end, from the segment's near end
   float near_altitude_km, far_altitude_km;
   float near_perigee_km, far_perigee_km;  ///< lowest altitude of the sunbeam's line (below the ground: steep)
+  bool continues;                         ///< its near end is the far end of the part before it
   bool near_down, far_down;               ///< the way to the sun goes down first
 };
 
@@ -90,7 +91,7 @@ struct RayView {
   const LitPart* lit;              ///< all pairs in turn
   const int* first_lit;            ///< [pair], with one past the last
   const float* level_altitude_km;  ///< [layer + 1] of the medium
-  const LitPart* ground_beam;  ///< [pair]: only its near end counts; length 0 if the sun is below the horizon
+  const float* ground_perigee_km;  ///< [pair], of the sunbeam's line through the ray's end on the ground
   const float* ground_sun_cosine;  ///< [pair]
 };
 

@@ -3,13 +3,13 @@
 #include "diffuse_field.hpp"
 
 // Radiance along one line of sight for all suns and azimuths that share it: the diffuse field's source by
-// its moments, and the sun's single scattering exactly. [theory.md §4.6]
+// its moments, and the sun's single scattering exactly. [theory.md §4.6, L1-L4]
 
 namespace skylut::transfer {
 
 /// Optical depth between a point and the sun, on exact shell paths. With p the distance of the sunbeam's
 /// line from the planet's centre and s_h = √(r_h² - p²), a layer's path is s_top - s_bottom, formed as
-/// (r_top² - r_bottom²)/(s_top + s_bottom) so that single precision keeps all its digits.
+/// (r_top² - r_bottom²)/(s_top + s_bottom) so that single precision keeps all its digits. [G2-G4]
 template <class V>
 inline V depth_to_sun(const RayView& ray, const OpticsView& optics, int layers, float altitude_km,
                       float perigee_km, bool down) {
@@ -37,10 +37,17 @@ inline V depth_to_sun(const RayView& ray, const OpticsView& optics, int layers, 
       const float gained = (upper - lower) * (twice_radius + upper + lower);
       length[layer] += gained / (from_perigee(upper) + from_perigee(lower) + 1e-20f);
     }
-  V depth{};
-  for (int layer = 0; layer < layers; ++layer)
-    depth += load<V>(optics.extinction_per_km + layer * kLaneCount<V>) * length[layer];
-  return depth;
+  // Four running sums, because each addition waits for the one before it.
+  V sum[4] = {};
+  int layer = 0;
+  const auto term = [&](int at) {
+    return load<V>(optics.extinction_per_km + at * kLaneCount<V>) * length[at];
+  };
+  while (layer < layers && level[layer + 1] <= lowest) ++layer;
+  for (; layer + 4 <= layers; layer += 4)
+    for (int i = 0; i < 4; ++i) sum[i] += term(layer + i);
+  for (; layer < layers; ++layer) sum[0] += term(layer);
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 /// The diffuse field after the iteration.
@@ -56,12 +63,16 @@ struct Solution {
   }
 };
 
-/// Mean of e^-a over a step in which a goes linearly from a0 to a1.
+/// Mean of e^-a over a step in which a goes linearly from a0 to a1: (e^-a0 - e^-a1)/(a1 - a0), as its
+/// series in a1 - a0 where the difference is small (remainder 0.5^7/8! = 2e-7). [L2]
 template <class V>
-inline V mean_attenuation(V a0, V a1) {
-  const V least = lane_min(a0, a1);
-  const V t = lane_max(a0, a1) - least;
-  return exp_minus(least) * (1.0f - step_weights(t).local);
+inline V mean_attenuation(V a0, V a1, V exp_a0, V exp_a1) {
+  const V t = a1 - a0;
+  constexpr float kSeries[] = {1.0f, -0.5f, 1.0f / 6.0f, -1.0f / 24.0f, 1.0f / 120.0f, -1.0f / 720.0f};
+  V series = broadcast<V>(1.0f / 5040.0f);
+  for (int i = 5; i >= 0; --i) series = series * t + kSeries[i];
+  const LaneMask<V> small = lane_max(t, -t) < 0.5f;
+  return select<V>(small, exp_a0 * series, (exp_a0 - exp_a1) / select<V>(small, broadcast<V>(1.0f), t));
 }
 
 /// Scratch space of line_of_sight, reused from ray to ray.
@@ -81,6 +92,7 @@ struct RayScratch {
 };
 
 /// Source of the diffuse field in the direction of the ray at one end of a segment, for every pair.
+/// [M3, L3]
 template <class V>
 inline void ray_source(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                        const Solution<V>& field, int segment, bool far, V* source_orders, V* to) {
@@ -124,14 +136,14 @@ inline void ray_source(const SweepView& grid, const OpticsView& optics, const Ra
   }
 }
 
-/// Single scattering of the sun along the ray for one pair.
+/// Single scattering of the sun along the ray for one pair. [L1]
 template <class V>
 inline V single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                            const float* phases, const V* depth, int pair) {
   const float* phase = phases + static_cast<std::size_t>(pair * optics.scatterers) * kLaneCount<V>;
   V sum{};
   V far_depth{};
-  float far_altitude = -1.0f;
+  V far_attenuation{};
   for (int part = ray.first_lit[pair]; part < ray.first_lit[pair + 1]; ++part) {
     const LitPart& lit = ray.lit[part];
     const int layer = grid.layer_of_sublayer[ray.segment[lit.segment].sublayer];
@@ -141,22 +153,24 @@ inline V single_scattering(const SweepView& grid, const OpticsView& optics, cons
       scattering += load<V>(optics.scattering_per_km + (s * grid.layers + layer) * kLaneCount<V>) *
                     load<V>(phase + s * kLaneCount<V>);
     const V near_ray_depth = depth[lit.segment] + beta * lit.start_km;
-    // The far end of one part is the near end of the next.
-    const V near_depth =
-        lit.near_altitude_km == far_altitude
-            ? far_depth
-            : near_ray_depth + depth_to_sun<V>(ray, optics, grid.layers, lit.near_altitude_km,
-                                               lit.near_perigee_km, lit.near_down);
+    if (!lit.continues) {
+      far_depth = near_ray_depth + depth_to_sun<V>(ray, optics, grid.layers, lit.near_altitude_km,
+                                                   lit.near_perigee_km, lit.near_down);
+      far_attenuation = exp_minus(far_depth);
+    }
+    const V near_depth = far_depth;
+    const V near_attenuation = far_attenuation;
     far_depth =
         near_ray_depth + beta * lit.length_km +
         depth_to_sun<V>(ray, optics, grid.layers, lit.far_altitude_km, lit.far_perigee_km, lit.far_down);
-    far_altitude = lit.far_altitude_km;
-    sum += scattering * mean_attenuation(near_depth, far_depth) * lit.length_km;
+    far_attenuation = exp_minus(far_depth);
+    sum += scattering * mean_attenuation(near_depth, far_depth, near_attenuation, far_attenuation) *
+           lit.length_km;
   }
   return sum * 0.0795774715f;  // 1/4π
 }
 
-/// Radiance of the ray for every pair: out[pair], sr⁻¹.
+/// Radiance of the ray for every pair: out[pair], sr⁻¹. [L1 + L3 + L4]
 template <class V>
 inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                           const float* phases, const Solution<V>& field, RayScratch<V>& scratch, V* out) {
@@ -200,9 +214,9 @@ inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const
       irradiance +=
           field.ground_irradiance.data()[sources[pair].first_node + t] * sources[pair].node_weight[t];
     if (ray.ground_sun_cosine[pair] > 0.0f)
-      irradiance += exp_minus(depth_to_sun<V>(ray, optics, grid.layers, 0.0f,
-                                              ray.ground_beam[pair].near_perigee_km, false)) *
-                    ray.ground_sun_cosine[pair];
+      irradiance +=
+          exp_minus(depth_to_sun<V>(ray, optics, grid.layers, 0.0f, ray.ground_perigee_km[pair], false)) *
+          ray.ground_sun_cosine[pair];
     out[pair] += transmission * albedo * irradiance * 0.318309886f;
   }
 }

@@ -5,41 +5,23 @@
 
 #include "interpolation.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/legendre.hpp"
 
 namespace skylut::transfer {
-
-namespace {
-
-/// Where the sunbeam's lowest altitude lies within this of the ground, its optical depth changes fast.
-constexpr double kGrazing_km = 60.0;
-
-/// Sun's direction seen from a point of the ray. The ray starts at (0, 0, r₀), runs in the direction V; the
-/// sun is in the direction S.
-struct SunAngles {
-  double cos_sun;     ///< cosine of the local solar zenith angle
-  double perigee_km;  ///< altitude of the sunbeam's line where it is closest to the centre
-};
-
-}  // namespace
 
 RayGeometry::RayGeometry(const Discretisation& grid, double observer_km, double view_zenith_deg,
                          std::span<const SunAzimuth> pairs) {
   const double cos_view = std::cos(view_zenith_deg * kRadiansPerDegree);
-  const std::vector<Point> points = trace(grid, observer_km, cos_view);
+  const std::vector<RayPoint> points = trace(grid, observer_km, cos_view);
   add_segments(grid, points);
   add_pair_sources(grid, points, pairs);
-  first_lit_.push_back(0);
-  for (const SunAzimuth& pair : pairs) {
-    add_lit_parts(grid, points, observer_km, cos_view, pair);
-    first_lit_.push_back(static_cast<int>(lit_.size()));
-  }
+  add_lit_parts(grid, points, pairs);
   for (const double level : grid.layers.levels_km()) level_altitude_km_.push_back(static_cast<float>(level));
 }
 
 /// Points where the ray crosses sublayer boundaries, with long steps split, from the observer to the top of
 /// the atmosphere or to the ground.
-std::vector<RayGeometry::Point> RayGeometry::trace(const Discretisation& grid, double observer_km,
-                                                   double cos_view) {
+std::vector<RayPoint> RayGeometry::trace(const Discretisation& grid, double observer_km, double cos_view) {
   const ShellGeometry& shells = grid.sublayers;
   const double radius = shells.planet_radius_km() + observer_km;
   const double along = radius * cos_view;  // distance from the closest point, negative while descending
@@ -48,7 +30,7 @@ std::vector<RayGeometry::Point> RayGeometry::trace(const Discretisation& grid, d
     const double square = shells.radius_square_difference(h, observer_km) + along * along;
     return square >= 0.0 ? std::sqrt(square) : -1.0;
   };
-  std::vector<Point> crossings{{0.0, observer_km, cos_view}};
+  std::vector<RayPoint> crossings{{0.0, observer_km, cos_view}};
   const auto cross = [&](double level_km, double signed_distance) {
     const double distance = signed_distance - along;
     if (distance > 1e-9 * (1.0 + std::abs(along)))
@@ -73,10 +55,10 @@ std::vector<RayGeometry::Point> RayGeometry::trace(const Discretisation& grid, d
           from_closest(shells.level_km(level)) - along > crossings.back().distance_km)
         cross(shells.level_km(level), from_closest(shells.level_km(level)));
   }
-  std::vector<Point> points{crossings.front()};
+  std::vector<RayPoint> points{crossings.front()};
   for (std::size_t i = 1; i < crossings.size(); ++i) {
-    const Point& from = crossings[i - 1];
-    const Point& to = crossings[i];
+    const RayPoint& from = crossings[i - 1];
+    const RayPoint& to = crossings[i];
     const int parts =
         static_cast<int>(std::ceil((to.distance_km - from.distance_km) / grid.limits.ray_step_km));
     for (int part = 1; part < parts; ++part) {
@@ -92,12 +74,12 @@ std::vector<RayGeometry::Point> RayGeometry::trace(const Discretisation& grid, d
   return points;
 }
 
-void RayGeometry::add_segments(const Discretisation& grid, const std::vector<Point>& points) {
+void RayGeometry::add_segments(const Discretisation& grid, const std::vector<RayPoint>& points) {
   const ShellGeometry& shells = grid.sublayers;
   const AngularGrid& angles = grid.angles;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Point& near = points[i];
-    const Point& far = points[i + 1];
+    const RayPoint& near = points[i];
+    const RayPoint& far = points[i + 1];
     const int sublayer = shells.layer_of(0.5 * (near.altitude_km + far.altitude_km));
     const double lower = shells.level_km(sublayer);
     const double thickness = shells.level_km(sublayer + 1) - lower;
@@ -106,14 +88,14 @@ void RayGeometry::add_segments(const Discretisation& grid, const std::vector<Poi
     };
     segment_.push_back({sublayer, static_cast<float>(far.distance_km - near.distance_km),
                         fraction(near.altitude_km), fraction(far.altitude_km)});
-    for (const Point* end : {&near, &far})
+    for (const RayPoint* end : {&near, &far})
       for (int m = 0; m < angles.azimuthal_orders(); ++m)
         for (const double value : normalised_legendre(m, angles.resolution().max_l, -end->cos_view))
           polar_moment_.push_back(static_cast<float>(value));
   }
 }
 
-void RayGeometry::add_pair_sources(const Discretisation& grid, const std::vector<Point>& points,
+void RayGeometry::add_pair_sources(const Discretisation& grid, const std::vector<RayPoint>& points,
                                    std::span<const SunAzimuth> pairs) {
   const double radius = grid.layers.planet_radius_km() + points.front().altitude_km;
   const double cos_view = points.front().cos_view;
@@ -122,7 +104,7 @@ void RayGeometry::add_pair_sources(const Discretisation& grid, const std::vector
   std::vector<RaySource> at_point;
   std::vector<float> factor_at_point;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& point = points[i];
+    const RayPoint& point = points[i];
     at_point.clear();
     factor_at_point.clear();
     for (const SunAzimuth& pair : pairs) {
@@ -161,83 +143,20 @@ void RayGeometry::add_pair_sources(const Discretisation& grid, const std::vector
   }
 }
 
-void RayGeometry::add_lit_parts(const Discretisation& grid, const std::vector<Point>& points,
-                                double observer_km, double cos_view, const SunAzimuth& pair) {
-  const double planet = grid.layers.planet_radius_km();
-  const double radius = planet + observer_km;
-  const double sun = pair.sun_zenith_deg * kRadiansPerDegree;
-  const double sin_view = std::sqrt(std::max(0.0, 1.0 - cos_view * cos_view));
-  const double view_to_sun =
-      cos_view * std::cos(sun) +
-      sin_view * std::sin(sun) * std::cos(pair.relative_azimuth_deg * kRadiansPerDegree);
-  cos_scattering_.push_back(view_to_sun);  // light travels along -V, the beam along -S
-
-  const auto sun_height = [&](double distance) {
-    return radius * std::cos(sun) + distance * view_to_sun;
-  };  // X·S
-  const auto sun_angles = [&](double distance, double altitude) {
-    const double local = planet + altitude;
-    const double height = sun_height(distance);
-    const double across = std::sqrt(std::max(0.0, local * local - height * height));
-    // p - R without cancellation: (p² - R²)/(p + R), p² - R² = h(2R+h) - height².
-    const double perigee = (altitude * (2.0 * planet + altitude) - height * height) / (across + planet);
-    return SunAngles{height / local, std::min(perigee, altitude)};
-  };
-  const auto altitude_at = [&](double distance) {
-    const double gained = distance * (distance + 2.0 * radius * cos_view);
-    return observer_km + gained / (std::sqrt(radius * radius + gained) + radius);
-  };
-  // Shadow: X·S < 0 and |X|² - (X·S)² < R². Its boundary on the ray: a d² + 2 b d + c = 0.
-  const double a = 1.0 - view_to_sun * view_to_sun;
-  const double b = radius * (cos_view - std::cos(sun) * view_to_sun);
-  const double c =
-      observer_km * (2.0 * planet + observer_km) - radius * radius * std::cos(sun) * std::cos(sun);
-  std::vector<double> edges;
-  const double discriminant = b * b - a * c;
-  if (a > 1e-14 && discriminant > 0.0)
-    edges = {(-b - std::sqrt(discriminant)) / a, (-b + std::sqrt(discriminant)) / a};
-  const auto lit = [&](double distance) {
-    return sun_height(distance) >= 0.0 || a * distance * distance + 2.0 * b * distance + c >= 0.0;
-  };
-
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    std::vector<double> cut{points[i].distance_km};
-    const auto cut_at = [&](double end) {
-      const double start = cut.back();
-      const double near_perigee = sun_angles(start, altitude_at(start)).perigee_km;
-      const double far_perigee = sun_angles(end, altitude_at(end)).perigee_km;
-      const bool grazing = std::max(near_perigee, far_perigee) > -kGrazing_km &&
-                           std::min(near_perigee, far_perigee) < kGrazing_km;
-      const double pieces =
-          grazing ? std::ceil(std::abs(far_perigee - near_perigee) / grid.limits.sunbeam_step_km) : 1.0;
-      for (double piece = 1.0; piece < pieces; ++piece) cut.push_back(start + (end - start) * piece / pieces);
-      cut.push_back(end);
-    };
-    for (const double edge : edges)
-      if (edge > points[i].distance_km && edge < points[i + 1].distance_km && sun_height(edge) < 0.0)
-        cut_at(edge);
-    cut_at(points[i + 1].distance_km);
-    for (std::size_t part = 0; part + 1 < cut.size(); ++part) {
-      if (!lit(0.5 * (cut[part] + cut[part + 1]))) continue;
-      const double near_km = part == 0 ? points[i].altitude_km : altitude_at(cut[part]);
-      const double far_km = part + 2 == cut.size() ? points[i + 1].altitude_km : altitude_at(cut[part + 1]);
-      const SunAngles near = sun_angles(cut[part], near_km);
-      const SunAngles far = sun_angles(cut[part + 1], far_km);
-      lit_.push_back({static_cast<int>(i), static_cast<float>(cut[part + 1] - cut[part]),
-                      static_cast<float>(cut[part] - points[i].distance_km), static_cast<float>(near_km),
-                      static_cast<float>(far_km), static_cast<float>(near.perigee_km),
-                      static_cast<float>(far.perigee_km), near.cos_sun < 0.0, far.cos_sun < 0.0});
-    }
+void RayGeometry::add_lit_parts(const Discretisation& grid, const std::vector<RayPoint>& points,
+                                std::span<const SunAzimuth> pairs) {
+  const RayPoint& end = points.back();
+  first_lit_.push_back(0);
+  for (const SunAzimuth& pair : pairs) {
+    const SunlitRay ray(grid.layers.planet_radius_km(), points.front(),
+                        pair.sun_zenith_deg * kRadiansPerDegree,
+                        pair.relative_azimuth_deg * kRadiansPerDegree);
+    ray.append_parts(points, grid.limits.sunbeam_step_km, lit_);
+    first_lit_.push_back(static_cast<int>(lit_.size()));
+    cos_scattering_.push_back(ray.cos_scattering());
+    ground_perigee_km_.push_back(static_cast<float>(ray.perigee_km(end.distance_km, 0.0)));
+    ground_sun_cosine_.push_back(static_cast<float>(ray.cos_sun(end.distance_km, 0.0)));
   }
-  LitPart ground{};
-  double ground_cosine = 0.0;
-  if (hits_ground_) {
-    const SunAngles end = sun_angles(points.back().distance_km, 0.0);
-    ground_cosine = end.cos_sun;
-    ground.near_perigee_km = static_cast<float>(end.perigee_km);
-  }
-  ground_beam_.push_back(ground);
-  ground_sun_cosine_.push_back(static_cast<float>(ground_cosine));
 }
 
 std::vector<float> RayGeometry::phases(const BlockOptics& optics) const {
@@ -261,7 +180,7 @@ RayView RayGeometry::view(const Discretisation& grid) const {
           lit_.data(),
           first_lit_.data(),
           level_altitude_km_.data(),
-          ground_beam_.data(),
+          ground_perigee_km_.data(),
           ground_sun_cosine_.data()};
 }
 

@@ -6,6 +6,7 @@
 #include "block_optics.hpp"
 #include "discretisation.hpp"
 #include "kernel_problem.hpp"
+#include "sunlit_ray.hpp"
 
 namespace skylut::transfer {
 
@@ -17,7 +18,7 @@ struct SunAzimuth {
 
 /// Geometry of a line of sight: the segments between the sublayers' boundaries, the direction of the light
 /// in the local frame of each segment's ends, and, for every (sun, azimuth) pair, the parts that the sun
-/// reaches and the local solar zenith angle. [theory.md §4.6, eqs. G9-G12]
+/// reaches and the local solar zenith angle. [theory.md §4.6, G9-G13]
 class RayGeometry {
  public:
   RayGeometry(const Discretisation& grid, double observer_km, double view_zenith_deg,
@@ -33,17 +34,12 @@ class RayGeometry {
   std::vector<float> phases(const BlockOptics& optics) const;
 
  private:
-  struct Point {
-    double distance_km;
-    double altitude_km;
-    double cos_view;  ///< local cosine of the direction of view
-  };
-  std::vector<Point> trace(const Discretisation& grid, double observer_km, double cos_view);
-  void add_segments(const Discretisation& grid, const std::vector<Point>& points);
-  void add_pair_sources(const Discretisation& grid, const std::vector<Point>& points,
+  std::vector<RayPoint> trace(const Discretisation& grid, double observer_km, double cos_view);
+  void add_segments(const Discretisation& grid, const std::vector<RayPoint>& points);
+  void add_pair_sources(const Discretisation& grid, const std::vector<RayPoint>& points,
                         std::span<const SunAzimuth> pairs);
-  void add_lit_parts(const Discretisation& grid, const std::vector<Point>& points, double observer_km,
-                     double cos_view, const SunAzimuth& pair);
+  void add_lit_parts(const Discretisation& grid, const std::vector<RayPoint>& points,
+                     std::span<const SunAzimuth> pairs);
 
   bool hits_ground_ = false;
   std::vector<RaySegment> segment_;
@@ -53,7 +49,7 @@ class RayGeometry {
   std::vector<LitPart> lit_;
   std::vector<int> first_lit_;
   std::vector<float> level_altitude_km_;
-  std::vector<LitPart> ground_beam_;
+  std::vector<float> ground_perigee_km_;
   std::vector<float> ground_sun_cosine_;
   std::vector<double> cos_scattering_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "skylut/core/constants.hpp"
+#include "skylut/core/legendre.hpp"
 
 namespace skylut::transfer {
 

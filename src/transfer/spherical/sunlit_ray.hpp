@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "discretisation.hpp"
+#include "kernel_problem.hpp"
+
+namespace skylut::transfer {
+
+/// A point of a line of sight.
+struct RayPoint {
+  double distance_km;  ///< from the observer
+  double altitude_km;
+  double cos_view;  ///< local cosine of the direction of view
+};
+
+/// The parts of a line of sight that one sun reaches. The ray starts at (0, 0, r₀) and runs in the direction
+/// V, the sun is in the direction S; X is a point of the ray. [theory.md §4.6, G10, G12-G13]
+class SunlitRay {
+ public:
+  /// @param start  where the ray starts
+  SunlitRay(double planet_radius_km, const RayPoint& start, double sun_zenith_rad,
+            double relative_azimuth_rad);
+
+  /// Cosine of the scattering angle: the light travels along -V, the beam along -S, all along the ray.
+  double cos_scattering() const { return view_to_sun_; }
+
+  /// Cosine of the local solar zenith angle.
+  double cos_sun(double distance_km, double altitude_km) const {
+    return sun_height(distance_km) / (planet_km_ + altitude_km);
+  }
+
+  /// Altitude of the sunbeam's line, through a point of the ray, where it is closest to the centre.
+  double perigee_km(double distance_km, double altitude_km) const;
+
+  /// Appends the lit parts of the segments between the points: cut at the edges of the planet's shadow, and
+  /// finely where the sunbeam grazes the ground, since its optical depth changes fast there.
+  void append_parts(const std::vector<RayPoint>& points, double sunbeam_step_km,
+                    std::vector<LitPart>& parts) const;
+
+ private:
+  double sun_height(double distance_km) const {
+    return radius_km_ * cos_sun_ + distance_km * view_to_sun_;
+  }  // X·S
+  double altitude_km(double distance_km) const;
+  double beyond_shadow(double distance_km) const {
+    return (quadratic_ * distance_km + 2.0 * linear_) * distance_km + constant_;
+  }
+  bool lit(double distance_km) const {
+    return sun_height(distance_km) >= 0.0 || beyond_shadow(distance_km) >= 0.0;
+  }
+
+  double planet_km_;
+  double start_km_;
+  double radius_km_;
+  double cos_view_;
+  double cos_sun_;
+  double view_to_sun_;  // V·S
+  // |X|² - (X·S)² - R², as a quadratic in the distance: negative inside the shadow's cylinder.
+  double quadratic_;
+  double linear_;
+  double constant_;
+};
+
+}  // namespace skylut::transfer
