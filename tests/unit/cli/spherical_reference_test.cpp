@@ -33,8 +33,8 @@ const Bar& bar_of(double sun_zenith_deg) {
 /// Errors of one group of suns against a Monte Carlo reference.
 struct Group {
   int directions = 0;
-  int beyond = 0;             ///< of max(3σ, bar)
-  double squares = 0.0;       ///< of relative errors
+  int beyond = 0;              ///< of max(3σ, bar)
+  double squares = 0.0;        ///< of relative errors
   double noise_squares = 0.0;  ///< of the reference's relative σ
   double noise_fourths = 0.0;
 };
@@ -54,8 +54,9 @@ void compare(const Json& reference, const std::string& name, std::map<double, Gr
     group.noise_fourths += std::pow(noise, 4);
     if (std::abs(error) > std::max(3.0 * noise, bar.direction)) {
       ++group.beyond;
-      std::printf("%s, view %g %g: %+.2f %%, σ %.2f %%\n", name.c_str(), view["view_zenith_deg"].get<double>(),
-                  view["relative_azimuth_deg"].get<double>(), 100.0 * error, 100.0 * noise);
+      std::printf("%s, view %g %g: %+.2f %%, σ %.2f %%\n", name.c_str(),
+                  view["view_zenith_deg"].get<double>(), view["relative_azimuth_deg"].get<double>(),
+                  100.0 * error, 100.0 * noise);
     }
     // Beyond 4σ is no chance: one in 16,000.
     EXPECT_LT(std::abs(error), std::max(4.0 * noise, bar.direction))
@@ -67,8 +68,8 @@ void judge(const std::map<double, Group>& groups) {
   for (const auto& [sun, group] : groups) {
     const double n = group.directions;
     const double rms2 = (group.squares - group.noise_squares) / n;
-    std::printf("suns to %g deg: %d directions, %d beyond, RMS %+.2f %%\n", sun, group.directions, group.beyond,
-                100.0 * std::copysign(std::sqrt(std::abs(rms2)), rms2));
+    std::printf("suns to %g deg: %d directions, %d beyond, RMS %+.2f %%\n", sun, group.directions,
+                group.beyond, 100.0 * std::copysign(std::sqrt(std::abs(rms2)), rms2));
     // Of Gaussian errors 0.3 % lie beyond 3σ: one of a hundred directions may.
     EXPECT_LE(group.beyond, 1 + group.directions / 100) << sun;
     // The mean of n squared Gaussian errors varies by √(2 Σσ⁴)/n; three of that.
@@ -79,8 +80,8 @@ void judge(const std::map<double, Group>& groups) {
 
 TEST(SphericalReference, OwnCases) {
   std::map<double, Group> groups;
-  for (const char* name : {"sph_B_sza60_alt00", "sph_C_sza85_alt00", "sph_A_alb03_sza88_alt30", "sph_B_sza92_alt12",
-                           "sph_D_sza94_alt20"})
+  for (const char* name : {"sph_B_sza60_alt00", "sph_C_sza85_alt00", "sph_A_alb03_sza88_alt30",
+                           "sph_B_sza92_alt12", "sph_D_sza94_alt20"})
     compare(read_json_file(std::string(SKYLUT_TEST_DATA "/solver_cases/") + name + ".json"), name, groups);
   judge(groups);
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "skylut/core/constants.hpp"
+#include "skylut/core/legendre.hpp"
 
 namespace skylut::transfer {
 namespace {
@@ -13,24 +14,6 @@ namespace {
 double entry(const PanelMatrix& matrix, int row, int column) {
   constexpr int kPanelRows = 5;  // of apply_matrix
   return matrix.data()[(row / kPanelRows * matrix.columns() + column) * kPanelRows + row % kPanelRows];
-}
-
-// Λ_lm = √((l-m)!/(l+m)!) P_lm against the standard library's P_lm (which has no Condon-Shortley sign).
-TEST(AngularGrid, LegendreFunctionsAreThoseOfTheTextbook) {
-  for (int m = 0; m <= 12; ++m)
-    for (const double mu : {-1.0, -0.83, -0.2, 0.0, 0.4, 0.99, 1.0}) {
-      const std::vector<double> lambda = normalised_legendre(m, 12, mu);
-      ASSERT_EQ(lambda.size(), static_cast<std::size_t>(13 - m));
-      for (int l = m; l <= 12; ++l) {
-        const double norm = std::exp(0.5 * (std::lgamma(l - m + 1.0) - std::lgamma(l + m + 1.0)));
-        const double sign = mu < 0.0 && (l + m) % 2 == 1 ? -1.0 : 1.0;
-        const double expected =
-            sign * norm *
-            std::assoc_legendre(static_cast<unsigned>(l), static_cast<unsigned>(m), std::abs(mu));
-        // The recurrences lose a digit or two of double precision.
-        EXPECT_NEAR(lambda[static_cast<std::size_t>(l - m)], expected, 1e-13) << l << " " << m << " " << mu;
-      }
-    }
 }
 
 // ∫ Λ_lm Λ_km dμ = 2/(2l+1) δ_lk. The n-point rule in t = √|μ| is exact for degree 2n - 1 in t. Even l + k

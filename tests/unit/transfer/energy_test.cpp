@@ -2,14 +2,17 @@
 
 #include <cmath>
 
+#include "sky_cases.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/quadrature.hpp"
-#include "sky_cases.hpp"
 
 namespace skylut {
 namespace {
 
 const std::vector<double> kSuns_deg = {0.0, 45.0, 75.0};
+
+using Columns = std::vector<OpticalColumn>;
+using Fluxes = std::vector<std::vector<double>>;
 
 /// Irradiances from radiances, on a planet so large that the air is plane.
 class Irradiance {
@@ -26,20 +29,20 @@ class Irradiance {
         weight_.push_back(2.0 * kPi / kAzimuths * 2.0 * rule.node[i] * rule.weight[i] * mu);
       }
   }
-  /// Upward diffuse irradiance at the top per sun.
-  std::vector<double> reflected(const OpticalColumn& column) const { return at(column, 100.0, lower_); }
+  /// Upward diffuse irradiance at the top, per column and sun.
+  Fluxes reflected(const Columns& columns) const { return at(columns, 100.0, lower_); }
   /// Downward diffuse irradiance of the ground.
-  std::vector<double> ground_diffuse(const OpticalColumn& column) const { return at(column, 0.0, upper_); }
+  Fluxes ground_diffuse(const Columns& columns) const { return at(columns, 0.0, upper_); }
 
  private:
   static constexpr int kAzimuths = 16;
-  std::vector<double> at(const OpticalColumn& column, double altitude_km,
-                         const std::vector<RelativeView>& views) const {
-    const SkyRadiance sky = test::solve(test::huge_planet(), column, {{altitude_km}, kSuns_deg, views});
-    std::vector<double> flux(kSuns_deg.size());
-    for (std::size_t sun = 0; sun < flux.size(); ++sun)
-      for (std::size_t view = 0; view < views.size(); ++view)
-        flux[sun] += weight_[view] * static_cast<double>(sky.at(0, 0, sun, view));
+  Fluxes at(const Columns& columns, double altitude_km, const std::vector<RelativeView>& views) const {
+    const SkyRadiance sky = test::solve(test::huge_planet(), columns, {{altitude_km}, kSuns_deg, views});
+    Fluxes flux(columns.size(), std::vector<double>(kSuns_deg.size()));
+    for (std::size_t column = 0; column < columns.size(); ++column)
+      for (std::size_t sun = 0; sun < kSuns_deg.size(); ++sun)
+        for (std::size_t view = 0; view < views.size(); ++view)
+          flux[column][sun] += weight_[view] * static_cast<double>(sky.at(column, 0, sun, view));
     return flux;
   }
   std::vector<RelativeView> upper_, lower_;
@@ -66,21 +69,24 @@ constexpr double kFluxError = 1e-3;
 // No absorption above a ground of albedo A: what falls on the top comes back or warms the ground,
 // μ0 = F_up(top) + (1-A) (F_diffuse + μ0 e^{-τ/μ0}).
 TEST(Energy, WhatIsNotAbsorbedComesBack) {
-  const Irradiance irradiance;
-  for (const test::Air& conservative : kConservativeAirs)
+  Columns columns;
+  for (test::Air air : kConservativeAirs)
     for (const double albedo : {0.0, 0.3, 1.0}) {
-      test::Air air = conservative;
       air.ground_albedo = albedo;
-      const OpticalColumn column = test::column_of(air);
-      const std::vector<double> reflected = irradiance.reflected(column);
-      const std::vector<double> diffuse = irradiance.ground_diffuse(column);
-      for (std::size_t sun = 0; sun < kSuns_deg.size(); ++sun) {
-        const double mu0 = std::cos(kSuns_deg[sun] * kRadiansPerDegree);
-        const double direct = mu0 * std::exp(-total_depth(column) / mu0);
-        const double balance = (reflected[sun] + (1.0 - albedo) * (diffuse[sun] + direct)) / mu0;
-        EXPECT_NEAR(balance, 1.0, kFluxError) << "depths " << air.rayleigh_depth << " + " << air.haze_depth
-                                              << ", albedo " << albedo << ", sun " << kSuns_deg[sun];
-      }
+      columns.push_back(test::column_of(air));
+    }
+  const Irradiance irradiance;
+  const Fluxes reflected = irradiance.reflected(columns);
+  const Fluxes diffuse = irradiance.ground_diffuse(columns);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (std::size_t sun = 0; sun < kSuns_deg.size(); ++sun) {
+      const double mu0 = std::cos(kSuns_deg[sun] * kRadiansPerDegree);
+      const double direct = mu0 * std::exp(-total_depth(columns[c]) / mu0);
+      const double absorbed = (1.0 - columns[c].ground_albedo) * (diffuse[c][sun] + direct);
+      EXPECT_NEAR((reflected[c][sun] + absorbed) / mu0, 1.0, kFluxError)
+          << "depths " << kConservativeAirs[c / 3].rayleigh_depth << " + "
+          << kConservativeAirs[c / 3].haze_depth << ", albedo " << columns[c].ground_albedo << ", sun "
+          << kSuns_deg[sun];
     }
 }
 
@@ -88,14 +94,18 @@ TEST(Energy, WhatIsNotAbsorbedComesBack) {
 // over a grey ground the nadir view is A/π (F_diffuse + F_direct) e^-0 at the ground itself.
 TEST(Energy, TheGroundReflectsWhatTheSkySends) {
   const Irradiance irradiance;
-  const OpticalColumn column = test::column_of(
-      {.rayleigh_depth = 0.2, .haze_depth = 0.5, .haze_scattering_albedo = 0.9, .absorption_depth = 0.1, .ground_albedo = 0.4});
-  const std::vector<double> diffuse = irradiance.ground_diffuse(column);
+  const OpticalColumn column = test::column_of({.rayleigh_depth = 0.2,
+                                                .haze_depth = 0.5,
+                                                .haze_scattering_albedo = 0.9,
+                                                .absorption_depth = 0.1,
+                                                .ground_albedo = 0.4});
+  const Fluxes diffuse = irradiance.ground_diffuse({column});
   const SkyRadiance nadir = test::solve(test::huge_planet(), column, {{0.0}, kSuns_deg, {{180.0, 0.0}}});
   for (std::size_t sun = 0; sun < kSuns_deg.size(); ++sun) {
     const double mu0 = std::cos(kSuns_deg[sun] * kRadiansPerDegree);
     const double direct = mu0 * std::exp(-total_depth(column) / mu0);
-    EXPECT_NEAR(nadir.at(0, 0, sun, 0) / (0.4 / kPi * (diffuse[sun] + direct)), 1.0, kFluxError) << kSuns_deg[sun];
+    EXPECT_NEAR(nadir.at(0, 0, sun, 0) / (0.4 / kPi * (diffuse[0][sun] + direct)), 1.0, kFluxError)
+        << kSuns_deg[sun];
   }
 }
 

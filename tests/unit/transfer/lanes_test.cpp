@@ -44,9 +44,8 @@ TEST(Lanes, StepWeightsFollowTheClosedForm) {
     const bool thin = t < 1e-3f;
     const long double local =
         thin ? exact_t / 2 - exact_t * exact_t / 6 + exact_t * exact_t * exact_t / 24 : 1 - mean;
-    const long double upwind = thin
-                                   ? exact_t / 2 - exact_t * exact_t / 3 + exact_t * exact_t * exact_t / 8
-                                   : mean - std::exp(-exact_t);
+    const long double upwind = thin ? exact_t / 2 - exact_t * exact_t / 3 + exact_t * exact_t * exact_t / 8
+                                    : mean - std::exp(-exact_t);
     const StepWeights<Lanes> weights = step_weights(broadcast<Lanes>(t));
     // Worst just above t = 0.5, where 1 - (1-e^-t)/t = 0.213 has lost two of 24 bits of terms that carry
     // the exponential's 3e-7.
@@ -78,7 +77,9 @@ struct Product {
         panels[static_cast<std::size_t>((row / kPanel * columns + column) * kPanel + row % kPanel)] =
             entry(row, column);
   }
-  static float entry(int row, int column) { return static_cast<float>(row + 1) - 0.5f * static_cast<float>(column); }
+  static float entry(int row, int column) {
+    return static_cast<float>(row + 1) - 0.5f * static_cast<float>(column);
+  }
   static Lanes input(int column) {
     const float c = static_cast<float>(column);
     return Lanes{1.0f, c, -c, 0.25f * c};

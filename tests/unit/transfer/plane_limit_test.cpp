@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sky_cases.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
-#include "sky_cases.hpp"
 
 namespace skylut {
 namespace {
 
-const std::vector<RelativeView> kViews = {{0.0, 0.0},   {30.0, 0.0},   {30.0, 120.0}, {60.0, 60.0},
-                                          {80.0, 180.0}, {85.0, 30.0}, {95.0, 90.0},  {110.0, 0.0},
+const std::vector<RelativeView> kViews = {{0.0, 0.0},     {30.0, 0.0},  {30.0, 120.0}, {60.0, 60.0},
+                                          {80.0, 180.0},  {85.0, 30.0}, {95.0, 90.0},  {110.0, 0.0},
                                           {140.0, 150.0}, {180.0, 0.0}};
 const std::vector<double> kSuns_deg = {0.0, 45.0, 65.0, 80.0};
 const std::vector<double> kObservers_km = {0.0, 3.0, 12.0, 100.0};
@@ -19,7 +19,8 @@ const std::vector<double> kObservers_km = {0.0, 3.0, 12.0, 100.0};
 /// Optical depth above a level of test::kLevels_km.
 double depth_above(const OpticalColumn& column, double altitude_km) {
   double depth = 0.0;
-  for (std::size_t layer = column.extinction_depth.size(); layer-- > 0 && test::kLevels_km[layer] >= altitude_km;)
+  for (std::size_t layer = column.extinction_depth.size();
+       layer-- > 0 && test::kLevels_km[layer] >= altitude_km;)
     depth += column.extinction_depth[layer];
   return depth;
 }
@@ -53,19 +54,19 @@ void expect_plane(const test::Air& air, double relative) {
   testing::Test::RecordProperty("rms_percent", std::to_string(100.0 * std::sqrt(sum / count)));
 }
 
-// Discretisation at default quality: 0.1 % for a Rayleigh sky, 0.3 % with a forward peak (the cut-off share of
-// the peak is up to 1.5 % of the scattering).
-TEST(PlaneLimit, Rayleigh) {
-  expect_plane({.rayleigh_depth = 0.1, .ground_albedo = 0.0}, 1e-3);
-}
+// Discretisation at default quality: 0.1 % for a Rayleigh sky, 0.3 % with a forward peak (the cut-off share
+// of the peak is up to 1.5 % of the scattering).
+TEST(PlaneLimit, Rayleigh) { expect_plane({.rayleigh_depth = 0.1, .ground_albedo = 0.0}, 1e-3); }
 TEST(PlaneLimit, BlueRayleighOverSnow) {
   expect_plane({.rayleigh_depth = 0.4, .absorption_depth = 0.05, .ground_albedo = 0.9}, 1e-3);
 }
 TEST(PlaneLimit, Haze) {
-  expect_plane({.rayleigh_depth = 0.1, .haze_depth = 0.3, .haze_scattering_albedo = 0.93, .ground_albedo = 0.2}, 3e-3);
+  expect_plane(
+      {.rayleigh_depth = 0.1, .haze_depth = 0.3, .haze_scattering_albedo = 0.93, .ground_albedo = 0.2}, 3e-3);
 }
 TEST(PlaneLimit, ThickHaze) {
-  expect_plane({.rayleigh_depth = 0.1, .haze_depth = 1.0, .haze_scattering_albedo = 0.95, .ground_albedo = 0.1}, 3e-3);
+  expect_plane(
+      {.rayleigh_depth = 0.1, .haze_depth = 1.0, .haze_scattering_albedo = 0.95, .ground_albedo = 0.1}, 3e-3);
 }
 
 // Reflection function of plane air: I(μ0 → μ, φ)/μ0 is symmetric in μ0 and μ (van de Hulst 1980, §3.1). The
@@ -74,7 +75,8 @@ TEST(PlaneLimit, ReflectionIsReciprocal) {
   const double angles_deg[] = {0.0, 25.0, 50.0, 70.0, 80.0};
   for (const test::Air& air :
        {test::Air{.rayleigh_depth = 0.3, .ground_albedo = 0.2},
-        test::Air{.rayleigh_depth = 0.1, .haze_depth = 0.5, .haze_scattering_albedo = 0.9, .ground_albedo = 0.1},
+        test::Air{
+            .rayleigh_depth = 0.1, .haze_depth = 0.5, .haze_scattering_albedo = 0.9, .ground_albedo = 0.1},
         test::Air{.rayleigh_depth = 0.05, .haze_depth = 2.0, .haze_asymmetry = 0.8}}) {
     SkyRequest request{{100.0}, {}, {}};
     for (const double angle : angles_deg) {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "skylut/core/constants.hpp"
 #include "sky_cases.hpp"
+#include "skylut/core/constants.hpp"
 
 namespace skylut::transfer {
 namespace {
@@ -16,16 +16,15 @@ const OpticalColumn& column() {
 }
 
 const Discretisation& grid() {
-  static const Discretisation one(test::earth(), discretisation_for(test::earth(), column(), Quality::standard),
-                                  Quality::standard);
+  static const Discretisation one(
+      test::earth(), discretisation_for(test::earth(), column(), Quality::standard), Quality::standard);
   return one;
 }
 
 /// A ray with the view that the kernel gets of it.
 struct Ray {
   Ray(double observer_km, double zenith_deg, std::vector<SunAzimuth> pairs = {{45.0, 30.0}})
-      : geometry(grid(), observer_km, zenith_deg, pairs),
-        view(geometry.view(grid())) {}
+      : geometry(grid(), observer_km, zenith_deg, pairs), view(geometry.view(grid())) {}
   double length() const {
     double sum = 0.0;
     for (int i = 0; i < view.segments; ++i) sum += view.segment[i].length_km;
@@ -68,7 +67,8 @@ TEST(RayGeometry, SegmentsAddUpToTheRay) {
       EXPECT_EQ(ray.view.hits_ground, zenith > horizon_deg(observer)) << observer << " " << zenith;
       for (int i = 0; i + 1 < ray.view.segments; ++i) {
         // Fractions of a sublayer at most 30 km thick, in single precision.
-        EXPECT_NEAR(ray.height(i, true), ray.height(i + 1, false), 5e-6) << observer << " " << zenith << " " << i;
+        EXPECT_NEAR(ray.height(i, true), ray.height(i + 1, false), 5e-6)
+            << observer << " " << zenith << " " << i;
         EXPECT_LE(ray.view.segment[i].length_km, 1.0001 * grid().limits.ray_step_km);
       }
       if (ray.view.segments == 0) continue;

@@ -10,8 +10,7 @@
 /// Atmospheres for the tests of the spherical solver.
 namespace skylut::test {
 
-inline const std::vector<double> kLevels_km = {0,  1,  2,  3,  4,  6,  8,  10, 12,
-                                               15, 20, 25, 30, 40, 50, 70, 100};
+inline const std::vector<double> kLevels_km = {0, 1, 2, 3, 4, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 70, 100};
 
 inline Shells earth() { return {kLevels_km, 6371.0}; }
 
@@ -24,9 +23,9 @@ inline std::vector<double> exponential_depths(double total, double scale_height_
   std::vector<double> depth;
   const double below_top = 1.0 - std::exp(-kLevels_km.back() / scale_height_km);
   for (std::size_t i = 0; i + 1 < kLevels_km.size(); ++i)
-    depth.push_back(total / below_top *
-                    (std::exp(-kLevels_km[i] / scale_height_km) -
-                     std::exp(-kLevels_km[i + 1] / scale_height_km)));
+    depth.push_back(
+        total / below_top *
+        (std::exp(-kLevels_km[i] / scale_height_km) - std::exp(-kLevels_km[i + 1] / scale_height_km)));
   return depth;
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "skylut/core/errors.hpp"
 #include "sky_cases.hpp"
+#include "skylut/core/errors.hpp"
 
 namespace skylut {
 namespace {
@@ -44,8 +44,12 @@ TEST(SkyRequestErrors, TheRequestItselfIsRight) {
 }
 
 TEST(SkyRequestErrors, Observers) {
-  for (const auto& [altitude, text] : {std::pair{10.5, "10.5"}, {-0.1, "-0.1"}, {kNan, "nan"}, {INFINITY, "inf"}})
-    expect_refused(spoiled([&](Question& q) { q.request.observer_altitudes_km = {1.0, altitude}; }), text, "0-10 km");
+  for (const auto& [altitude, text] :
+       {std::pair{10.5, "10.5"}, {-0.1, "-0.1"}, {kNan, "nan"}, {INFINITY, "inf"}})
+    expect_refused(spoiled([&](Question& q) {
+                     q.request.observer_altitudes_km = {1.0, altitude};
+                   }),
+                   text, "0-10 km");
 }
 
 TEST(SkyRequestErrors, Suns) {
@@ -65,28 +69,38 @@ TEST(SkyRequestErrors, Levels) {
   expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0, 2.0, 2.0}; }), "2 after 2", "ascend");
   expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0, 2.0, kNan}; }), "nan", "ascend");
   expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0, 2.0, INFINITY}; }), "inf", "ascend");
-  expect_refused(spoiled([](Question& q) { q.shells.levels_km = {1.0, 2.0, 3.0}; }), "levels_km", "the first at 0");
+  expect_refused(spoiled([](Question& q) {
+                   q.shells.levels_km = {1.0, 2.0, 3.0};
+                 }),
+                 "levels_km", "the first at 0");
   expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0}; }), "levels_km", "at least two");
   expect_refused(spoiled([](Question& q) { q.shells.levels_km = {}; }), "levels_km", "at least two");
   expect_refused(spoiled([](Question& q) {
-                   for (double level = 11.0; level < 1000.0; level += 1.0) q.shells.levels_km.push_back(level);
+                   for (double level = 11.0; level < 1000.0; level += 1.0)
+                     q.shells.levels_km.push_back(level);
                  }),
                  "992", "at most");
 }
 
 TEST(SkyRequestErrors, Planets) {
-  for (const auto& [radius, text] : {std::pair{99.0, "99"}, {-6371.0, "-6371"}, {kNan, "nan"}, {INFINITY, "inf"}})
+  for (const auto& [radius, text] :
+       {std::pair{99.0, "99"}, {-6371.0, "-6371"}, {kNan, "nan"}, {INFINITY, "inf"}})
     expect_refused(spoiled([&](Question& q) { q.shells.planet_radius_km = radius; }), text, "at least 100");
 }
 
 TEST(SkyRequestErrors, Layers) {
-  expect_refused(spoiled([](Question& q) { q.column.extinction_depth.push_back(0.1); }), "3 layers", "give 2");
-  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth.pop_back(); }), "1 layers", "give 2");
+  expect_refused(spoiled([](Question& q) { q.column.extinction_depth.push_back(0.1); }), "3 layers",
+                 "give 2");
+  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth.pop_back(); }), "1 layers",
+                 "give 2");
   expect_refused(spoiled([](Question& q) { q.column.extinction_depth[1] = kNan; }), "nan", "layer 1");
   expect_refused(spoiled([](Question& q) { q.column.extinction_depth[1] = INFINITY; }), "inf", "layer 1");
-  expect_refused(spoiled([](Question& q) { q.column.extinction_depth[0] = 0.05; }), "0.05", "at least the scattering's, 0.1");
-  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth[0] = -0.05; }), "-0.05", ">= 0");
-  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth[1] = kNan; }), "nan", ">= 0");
+  expect_refused(spoiled([](Question& q) { q.column.extinction_depth[0] = 0.05; }), "0.05",
+                 "at least the scattering's, 0.1");
+  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth[0] = -0.05; }), "-0.05",
+                 ">= 0");
+  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth[1] = kNan; }), "nan",
+                 ">= 0");
 }
 
 TEST(SkyRequestErrors, GroundAlbedo) {

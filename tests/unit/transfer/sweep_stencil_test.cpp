@@ -45,7 +45,8 @@ void for_each_ray(const ShellGeometry& shells, const SweepStencil& stencil, cons
         const long double length = stencil.polar(half, layer, j).length_km;
         const long double across = length * std::sqrt(1.0L - mu * mu);
         const long double up = end - length * mu;
-        check(half, layer, j, std::sqrt(up * up + across * across), (mu * end - length) / std::sqrt(up * up + across * across));
+        check(half, layer, j, std::sqrt(up * up + across * across),
+              (mu * end - length) / std::sqrt(up * up + across * across));
       }
 }
 
@@ -79,7 +80,8 @@ TEST_P(SweepStencilOfPlanet, PolarTapsFollowTheDirection) {
       return;
     }
     EXPECT_EQ(half == kUp, cosine > 0.0L);
-    const double expected = std::clamp(std::sqrt(std::abs(static_cast<double>(cosine))), root.front(), root.back());
+    const double expected =
+        std::clamp(std::sqrt(std::abs(static_cast<double>(cosine))), root.front(), root.back());
     // Weights and length are single precision; √|μ| at the horizon amplifies by 1/(2 root), at most 40.
     EXPECT_NEAR(at_taps(step.upwind, root), expected, 1e-5) << half << " " << layer << " " << j;
   });
@@ -98,8 +100,9 @@ TEST_P(SweepStencilOfPlanet, SunTapsFollowTheLocalVertical) {
             const double mu = signed_mu(half, j);
             const double sine = std::sqrt(1.0 - mu * mu);
             const double length = stencil.polar(half, layer, j).length_km;
-            const Vector point = {length * sine * std::cos(phi), length * sine * std::sin(phi),
-                                  GetParam() + shells.level_km(half == kDown ? layer : layer + 1) - length * mu};
+            const Vector point = {
+                length * sine * std::cos(phi), length * sine * std::sin(phi),
+                GetParam() + shells.level_km(half == kDown ? layer : layer + 1) - length * mu};
             const double cosine =
                 dot(point, {std::sin(sun), 0.0, std::cos(sun)}) / std::sqrt(dot(point, point));
             const double expected =
@@ -116,7 +119,8 @@ TEST_P(SweepStencilOfPlanet, ChordsStayAboveTheLowerBoundary) {
   for (int layer = 0; layer < shells.layers(); ++layer)
     for (int j = 0; j < kAngles.polar_nodes(); ++j) {
       const long double alpha = signed_mu(kUp, j);
-      const long double lowest = (static_cast<long double>(GetParam()) + shells.level_km(layer + 1)) * std::sqrt(1.0L - alpha * alpha);
+      const long double lowest = (static_cast<long double>(GetParam()) + shells.level_km(layer + 1)) *
+                                 std::sqrt(1.0L - alpha * alpha);
       const bool chord = lowest >= static_cast<long double>(GetParam()) + shells.level_km(layer);
       EXPECT_EQ(stencil.polar(kUp, layer, j).chord, chord) << layer << " " << j;
       EXPECT_FALSE(stencil.polar(kDown, layer, j).chord);
@@ -139,8 +143,10 @@ TEST(SweepStencil, PlanesAreTheLimit) {
         const double alpha = kAngles.cos_polar()[static_cast<std::size_t>(j)];
         const double expected = (shells.level_km(layer + 1) - shells.level_km(layer)) / alpha;
         // Δh/(2 R μ²), 2e-4 for 80 km at the lowest node (1.7e-4), and single precision.
-        EXPECT_NEAR(stencil.polar(half, layer, j).length_km / expected, 1.0, 80.0 / (planet_km * alpha * alpha) + 1e-7);
-        EXPECT_NEAR(at_taps(stencil.sun(half, layer, 8)[j * kAngles.azimuth_nodes()], kSunNodes_deg), 80.0, 1e-5);
+        EXPECT_NEAR(stencil.polar(half, layer, j).length_km / expected, 1.0,
+                    80.0 / (planet_km * alpha * alpha) + 1e-7);
+        EXPECT_NEAR(at_taps(stencil.sun(half, layer, 8)[j * kAngles.azimuth_nodes()], kSunNodes_deg), 80.0,
+                    1e-5);
       }
 }
 
