@@ -172,7 +172,7 @@ V DiffuseField<V>::beam_transmission(int point, int node) const {
 
 /// Transmission of the sunbeam at every level, and the factor that makes the mean of its two ends the mean
 /// over a sublayer, weighted by extinction: by Simpson's rule within one layer, else by the middles of the
-/// pieces. Without it a low sun is 1 % off. [T4]
+/// pieces. Without it a low sun is 1 % off. [M4]
 template <class V>
 void DiffuseField<V>::attenuate_beam() {
   const int levels = grid_.sublayers + 1;
