@@ -33,7 +33,9 @@ double angle_between(const Direction& a, const Direction& b) {
   const double zenith_a = a.zenith_deg * kRadiansPerDegree;
   const double zenith_b = b.zenith_deg * kRadiansPerDegree;
   const double half_zenith = std::sin(0.5 * (zenith_a - zenith_b));
-  const double half_azimuth = std::sin(0.5 * (a.azimuth_deg - b.azimuth_deg) * kRadiansPerDegree);
+  // Folded exactly, so that mirror images have equal angles to the last bit.
+  const double turned_deg = std::remainder(a.azimuth_deg - b.azimuth_deg, 360.0);
+  const double half_azimuth = std::sin(0.5 * turned_deg * kRadiansPerDegree);
   const double haversine =
       half_zenith * half_zenith + std::sin(zenith_a) * std::sin(zenith_b) * half_azimuth * half_azimuth;
   return 2.0 * std::asin(std::sqrt(std::clamp(haversine, 0.0, 1.0)));
