@@ -9,6 +9,18 @@ namespace {
 
 /// Where the sunbeam's lowest altitude lies within this of the ground, its optical depth changes fast.
 constexpr double kGrazing_km = 60.0;
+/// Beyond this the change slows down in proportion to the distance.
+constexpr double kSteepest_km = 16.0;
+
+/// Number of parts that a segment needs between two lowest altitudes of the sunbeam.
+int pieces_of(double near_perigee_km, double far_perigee_km, double sunbeam_step_km) {
+  const double least = std::min(near_perigee_km, far_perigee_km);
+  const double most = std::max(near_perigee_km, far_perigee_km);
+  if (most < -kGrazing_km || least > kGrazing_km) return 1;
+  const double distance_km = std::max({0.0, least, -most});
+  const double step_km = sunbeam_step_km * std::max(1.0, distance_km / kSteepest_km);
+  return std::max(1, static_cast<int>(std::ceil((most - least) / step_km)));
+}
 
 }  // namespace
 
@@ -58,12 +70,7 @@ void SunlitRay::append_parts(const std::vector<RayPoint>& points, double sunbeam
     }
     const double near_perigee = perigee_km(near.distance_km, near.altitude_km);
     const double far_perigee = perigee_km(far.distance_km, far.altitude_km);
-    const bool grazing = std::max(near_perigee, far_perigee) > -kGrazing_km &&
-                         std::min(near_perigee, far_perigee) < kGrazing_km;
-    const int pieces =
-        grazing
-            ? std::max(1, static_cast<int>(std::ceil(std::abs(far_perigee - near_perigee) / sunbeam_step_km)))
-            : 1;
+    const int pieces = pieces_of(near_perigee, far_perigee, sunbeam_step_km);
     RayPoint from = near;
     double from_perigee = near_perigee;
     for (int piece = 1; piece <= pieces; ++piece) {
