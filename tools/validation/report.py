@@ -1,0 +1,103 @@
+"""Runs the sections and writes validation.md."""
+
+import dataclasses
+import importlib
+import json
+import pathlib
+import platform
+import sys
+
+from . import text
+from .program import Program, ProgramFailed
+
+PROFILES = pathlib.Path(__file__).resolve().parents[2] / "profiles"
+
+OPENING = """# Validation
+
+How far skylut is from independent references: figures that `tools/validate` measures and writes here, with the commands that
+measure them again. Errors are relative unless a unit says otherwise. *RMS, noise removed*: root of the mean square deviation less the
+mean variance of a Monte Carlo reference. A direction passes if it is within max(3σ of the reference, x %).
+
+The reference sets are not part of this repository: `--reference DIR` names a folder that holds `solver/` (libRadtran 2.0.2: MYSTIC in
+spherical shells, DISORT with 64 streams; 41 cases) and `disort/` (DISORT's own test problems; 13 cases). Sections that need them
+are skipped without it. Everything else needs only the program."""
+
+
+@dataclasses.dataclass
+class Context:
+    """What every section gets."""
+
+    program: Program
+    reference: pathlib.Path
+    figures: pathlib.Path
+    profiles: pathlib.Path
+    work: pathlib.Path
+    quick: bool
+    reuse_monte_carlo: bool
+    made_tables: list = dataclasses.field(default_factory=list)
+
+    def table(self):
+        """The default table with its maps, made once in a run."""
+        folder = self.work / "table"
+        if not self.made_tables:
+            self.program.table(folder, "--save-maps")
+            self.made_tables.append(folder)
+        return folder
+
+    def say(self, message):
+        """Progress, on a terminal or in a log."""
+        print(f"  {message}", file=sys.stderr, flush=True)
+
+
+def processor():
+    """The name of the processor, for the times."""
+    try:
+        for line in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return platform.machine()
+
+
+def run_section(name, context):
+    """A section's parts as plain data; a failure of the program is itself a finding."""
+    module = importlib.import_module("." + name.replace("-", "_"), __package__)
+    try:
+        section = module.run(context)
+    except ProgramFailed as failure:
+        section = text.Section(name)
+        section.add(f"Could not be run: {failure}")
+        section.check(name, "", "the program failed", "", False)
+    return dataclasses.asdict(section)
+
+
+def write(options, names):
+    """Runs the sections asked for and puts the report together from them and what earlier runs left of the rest."""
+    options.work.mkdir(parents=True, exist_ok=True)
+    figures = options.out / "figures"
+    figures.mkdir(parents=True, exist_ok=True)
+    context = Context(Program(options.program), options.reference.resolve(), figures, PROFILES, options.work, options.quick,
+                      options.reuse_monte_carlo)
+    for name in options.only:
+        print(f"{name}", file=sys.stderr, flush=True)
+        section = run_section(name, context)
+        (options.work / f"{name}.json").write_text(json.dumps(section, indent=1), encoding="utf-8")
+    kept = [options.work / f"{name}.json" for name in names]
+    sections = [json.loads(path.read_text(encoding="utf-8")) for path in kept if path.exists()]
+    path = options.out / "validation.md"
+    path.write_text(page(sections, context), encoding="utf-8")
+    failed = [check[0] for section in sections for check in section["checks"] if "no" in check[-1]]
+    print(f"wrote {path}; {sum(len(s['checks']) for s in sections)} checks, {len(failed)} not met")
+
+
+def page(sections, context):
+    """The whole document."""
+    blocks = [OPENING, f"skylut {context.program.version}; times are CPU seconds of one thread on {processor()}.",
+              "## Summary"]
+    blocks.append(text.table(["reference", "conditions", "our error", "tolerance", "met"],
+                             [check for section in sections for check in section["checks"]]))
+    for number, section in enumerate(sections, 1):
+        blocks.append(f"## {number}. {section['title']}")
+        blocks.extend(section["blocks"])
+    return "\n\n".join(blocks) + "\n"
