@@ -19,8 +19,8 @@ struct SolveOptions {
   std::uint64_t seed = 1;
 };
 
-/// Solves one case file of explicit layers, in either schema (docs/formats of `skylut solve`: see
-/// plane-parallel-and-monte-carlo.md §4), and returns the same document, keys in the same order, with
+/// Solves one case file of explicit layers, in either schema
+/// (docs/plane-parallel-and-monte-carlo.md §4), and returns the same document, keys in the same order, with
 /// our radiances (and fluxes) in place of those in it.
 ///
 /// Changed: `results[].radiance` and `.std` (0 for a deterministic solver), `results[].photons` (Monte

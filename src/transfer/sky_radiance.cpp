@@ -82,7 +82,7 @@ std::vector<Block> fill_blocks(const std::vector<std::unique_ptr<Group>>& groups
 void solve_field(Block& block, std::span<const OpticalColumn> columns, const Kernel& kernel, int orders) {
   std::vector<const OpticalColumn*> lanes;
   for (const std::size_t column : block.columns) lanes.push_back(&columns[column]);
-  block.optics = std::make_unique<BlockOptics>(block.group->grid, lanes, kernel.lanes);
+  block.optics = std::make_unique<BlockOptics>(block.group->grid, lanes, kernel.lanes, orders == 0);
   const IterationLimits limits{orders, kMostIterations,
                                static_cast<float>(block.group->grid.limits.tolerance)};
   block.field.reset(kernel.solve_block(block.group->tables.view(), block.optics->view(), limits));

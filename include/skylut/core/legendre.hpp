@@ -7,7 +7,7 @@ namespace skylut {
 /// Normalised associated Legendre functions Λ_lm(μ) = √((l-m)!/(l+m)!) P_lm(μ) for one m and l = m … max_l,
 /// without the Condon-Shortley sign, so that (addition theorem)
 ///   P_l(cosΘ) = Σ_m (2-δ_m0) Λ_lm(μ) Λ_lm(μ') cos m(φ-φ').
-/// The normalisation keeps them within ±1. Three-term recurrence in l (Dave & Armstrong 1970).
+/// The normalisation keeps them within ±1. Three-term recurrence in l (Dave & Armstrong 1970). [theory.md M2]
 /// @param m      >= 0
 /// @param max_l  >= m
 /// @param mu     in [-1, 1]

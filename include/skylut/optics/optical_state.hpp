@@ -26,7 +26,7 @@ struct OpticalColumn {
 /// The layers that all columns of a computation share.
 struct Shells {
   std::vector<double> levels_km;     ///< layer boundaries above the ground, ascending, the first is 0
-  double planet_radius_km = 6371.0;  ///< of the ground; infinity for plane-parallel layers
+  double planet_radius_km = 6371.0;  ///< of the ground, [100, ∞)
 };
 
 }  // namespace skylut

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Molecular scattering after Bodhaine, Wood, Dutton and Slusser 1999, J. Atmos. Oceanic Technol. 16,
-/// 1854-1861, from first principles. [docs/air.md §5]
+/// 1854-1861, from first principles. [docs/air.md §4]
 namespace skylut {
 
 /// Refractive index of dry air minus 1 at 288.15 K and 1013.25 hPa, wavelength 230-1690 nm: Peck and

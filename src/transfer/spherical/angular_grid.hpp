@@ -8,7 +8,7 @@
 namespace skylut::transfer {
 
 /// How finely directions are resolved. The diffuse radiance enters the source only through its moments
-///   M_lm = (1/4π) ∫ Λ_lm(μ) cos(mφ) I dΩ,  l <= max_l, m <= min(l, max_m).   [theory.md §4.2]
+///   M_lm = (1/4π) ∫ Λ_lm(μ) cos(mφ) I dΩ,  l <= max_l, m <= min(l, max_m).   [theory.md §4.3, M1]
 struct AngularResolution {
   int max_l = 12;          ///< highest Legendre order of the (delta-M scaled) phase function
   int max_m = 9;           ///< highest azimuthal order

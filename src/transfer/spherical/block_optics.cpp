@@ -5,7 +5,7 @@
 namespace skylut::transfer {
 
 BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColumn* const> columns,
-                         int lanes_)
+                         int lanes_, bool delta_m)
     : lanes(lanes_), scatterers(0) {
   for (int lane = 0; lane < lanes; ++lane)
     column.push_back(columns[std::min(static_cast<std::size_t>(lane), columns.size() - 1)]);
@@ -39,8 +39,8 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
         scattering_per_km[(s * layer_count + layer) * width + lane] =
             static_cast<float>(depth / thickness_km);
       }
-      // Truncated forward peak: f = χ_{L+1}; β' = β - f β_sca, and β'ω'χ'_l = β_sca (χ_l - f).
-      const double peak = mixed[degree_count];
+      // Truncated forward peak: f = χ_{L+1}; β' = β - f β_sca, and β'ω'χ'_l = β_sca (χ_l - f). [S2-S4]
+      const double peak = delta_m ? mixed[degree_count] : 0.0;
       const double extinction = one.extinction_depth[layer] - peak;
       extinction_per_km[layer * width + lane] = static_cast<float>(extinction / thickness_km);
       for (std::size_t l = 0; l < degree_count; ++l) {

@@ -10,10 +10,12 @@ namespace skylut::transfer {
 
 /// Optical properties of the columns of one block, laid out for the kernel: the innermost index is the
 /// lane. Delta-M scaled (Wiscombe 1977) at the angular grid's highest degree, except `scattering`.
-/// [theory.md §4.4, eqs. S1-S4]
+/// [theory.md §4.2, S1-S4]
 struct BlockOptics {
   /// Packs columns (at most `lanes`; the last one fills the lanes left over).
-  BlockOptics(const Discretisation& grid, std::span<const OpticalColumn* const> columns, int lanes);
+  /// @param delta_m  false: leave the forward peak in, so that orders of scattering are those of the medium
+  BlockOptics(const Discretisation& grid, std::span<const OpticalColumn* const> columns, int lanes,
+              bool delta_m);
 
   int lanes;
   std::vector<const OpticalColumn*> column;  ///< one per lane

@@ -71,7 +71,7 @@ class DiffuseField {
   }
 
   /// Iterates until every lane and sun node has converged (Gauss-Seidel: every step uses the newest field),
-  /// or sums the orders asked for one by one (every step uses the field of one order less).
+  /// or sums the orders asked for one by one (every step uses the field of one order less). [T3, I4]
   /// @return false if a lane has not converged within the limit
   bool solve(const IterationLimits& limits);
 
@@ -169,7 +169,7 @@ void DiffuseField<V>::attenuate_beam() {
 }
 
 /// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes:
-/// J = ω Σ (2l+1) χ_l (2-δ_m0) Λ_lm cos(mφ) [M_lm + T c Λ_lm(-μs)/4π].
+/// J = ω Σ (2l+1) χ_l (2-δ_m0) Λ_lm cos(mφ) [M_lm + T c Λ_lm(-μs)/4π]. [M3, M4]
 template <class V>
 void DiffuseField<V>::source(Hemisphere half, int sublayer, int level, int node, int polar_count, V* to) {
   const int layer = grid_.layer_of_sublayer[sublayer];
@@ -205,7 +205,7 @@ void DiffuseField<V>::source(Hemisphere half, int sublayer, int level, int node,
 }
 
 /// Moments of one hemisphere's radiance at the level that the sweep has reached. Lanes that have
-/// converged keep theirs.
+/// converged keep theirs. [M1, T3]
 template <class V>
 void DiffuseField<V>::analyse(Hemisphere half, int level, int node, LaneMask<V> active) {
   const int orders = grid_.azimuthal_orders;
@@ -224,7 +224,7 @@ void DiffuseField<V>::analyse(Hemisphere half, int level, int node, LaneMask<V> 
 
 /// Carries radiance_ across a sublayer: attenuation and source at the start of every ray, interpolated in
 /// polar angle, then in solar zenith angle, plus the source at its end. The azimuth is kept: over one step
-/// it turns by less than what the nodes resolve.
+/// it turns by less than what the nodes resolve. [T1, T2]
 template <class V>
 void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, int end_level) {
   const int azimuths = grid_.azimuth_nodes;
@@ -308,7 +308,7 @@ void DiffuseField<V>::sweep_down(LaneMask<V> active) {
 }
 
 /// Lambertian ground: I = A/π (diffuse irradiance + μs T). Order by order the irradiance is that of one order
-/// less.
+/// less. [T4, I4]
 template <class V>
 void DiffuseField<V>::reflect_at_ground(LaneMask<V> active, bool by_order) {
   const V albedo = load<V>(optics_.ground_albedo);
@@ -338,7 +338,8 @@ void DiffuseField<V>::sweep_up(LaneMask<V> active) {
 /// The changes of successive iterations fall off like λ^n. Per lane and sun node: λ from the last two
 /// changes of the moments (l <= 2, m = 0), and the error left as λ/(1-λ) times the last change. Every third
 /// iteration all moments of the column are pushed on by as much as M_00 has still to go; the iteration
-/// after a push has no predecessor to compare with and is not judged. @return lanes not yet converged
+/// after a push has no predecessor to compare with and is not judged. [I1-I3]
+/// @return lanes not yet converged
 template <class V>
 LaneMask<V> DiffuseField<V>::accelerate_and_test(int iteration, const IterationLimits& limits,
                                                  LaneMask<V> active) {

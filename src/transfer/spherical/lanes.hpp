@@ -74,7 +74,8 @@ inline V exp_minus(V x) {
 
 /// Weights of the formal solution over a step of optical depth t with a source linear in optical depth:
 ///   I = transmission I_upwind + upwind J_upwind + local J_local.
-/// upwind = (1-e^-t)/t - e^-t, local = 1 - (1-e^-t)/t (e.g. Olson & Kunasz 1987, eqs. 7-9).
+/// upwind = (1-e^-t)/t - e^-t, local = 1 - (1-e^-t)/t (e.g. Olson & Kunasz 1987).
+/// [theory.md §4.4, T1]
 template <class V>
 struct StepWeights {
   V transmission;

@@ -3,13 +3,13 @@
 #include "diffuse_field.hpp"
 
 // Radiance along one line of sight for all suns and azimuths that share it: the diffuse field's source by
-// its moments, and the sun's single scattering exactly. [theory.md §4.6]
+// its moments, and the sun's single scattering exactly. [theory.md §4.6, L1-L4]
 
 namespace skylut::transfer {
 
 /// Optical depth between a point and the sun, on exact shell paths. With p the distance of the sunbeam's
 /// line from the planet's centre and s_h = √(r_h² - p²), a layer's path is s_top - s_bottom, formed as
-/// (r_top² - r_bottom²)/(s_top + s_bottom) so that single precision keeps all its digits.
+/// (r_top² - r_bottom²)/(s_top + s_bottom) so that single precision keeps all its digits. [G2-G4]
 template <class V>
 inline V depth_to_sun(const RayView& ray, const OpticsView& optics, int layers, float altitude_km,
                       float perigee_km, bool down) {
@@ -64,7 +64,7 @@ struct Solution {
 };
 
 /// Mean of e^-a over a step in which a goes linearly from a0 to a1: (e^-a0 - e^-a1)/(a1 - a0), as its
-/// series in a1 - a0 where the difference is small (remainder 0.5^7/8! = 2e-7).
+/// series in a1 - a0 where the difference is small (remainder 0.5^7/8! = 2e-7). [L2]
 template <class V>
 inline V mean_attenuation(V a0, V a1, V exp_a0, V exp_a1) {
   const V t = a1 - a0;
@@ -92,6 +92,7 @@ struct RayScratch {
 };
 
 /// Source of the diffuse field in the direction of the ray at one end of a segment, for every pair.
+/// [M3, L3]
 template <class V>
 inline void ray_source(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                        const Solution<V>& field, int segment, bool far, V* source_orders, V* to) {
@@ -135,7 +136,7 @@ inline void ray_source(const SweepView& grid, const OpticsView& optics, const Ra
   }
 }
 
-/// Single scattering of the sun along the ray for one pair.
+/// Single scattering of the sun along the ray for one pair. [L1]
 template <class V>
 inline V single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                            const float* phases, const V* depth, int pair) {
@@ -169,7 +170,7 @@ inline V single_scattering(const SweepView& grid, const OpticsView& optics, cons
   return sum * 0.0795774715f;  // 1/4π
 }
 
-/// Radiance of the ray for every pair: out[pair], sr⁻¹.
+/// Radiance of the ray for every pair: out[pair], sr⁻¹. [L1 + L3 + L4]
 template <class V>
 inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                           const float* phases, const Solution<V>& field, RayScratch<V>& scratch, V* out) {

@@ -18,7 +18,7 @@ struct SunAzimuth {
 
 /// Geometry of a line of sight: the segments between the sublayers' boundaries, the direction of the light
 /// in the local frame of each segment's ends, and, for every (sun, azimuth) pair, the parts that the sun
-/// reaches and the local solar zenith angle. [theory.md §4.6, eqs. G9-G12]
+/// reaches and the local solar zenith angle. [theory.md §4.6, G9-G13]
 class RayGeometry {
  public:
   RayGeometry(const Discretisation& grid, double observer_km, double view_zenith_deg,

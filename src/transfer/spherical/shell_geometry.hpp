@@ -5,7 +5,7 @@
 namespace skylut::transfer {
 
 /// Straight rays through concentric shells. Lengths in km, angles as cosines; h is altitude above the
-/// ground of radius R, r = R + h. [theory.md §4.1, eqs. G1-G4]
+/// ground of radius R, r = R + h. [theory.md §4.1, G1-G4]
 ///
 /// Squares of radii differ by little: every difference is formed as (h₁-h₂)(2R+h₁+h₂), which keeps full
 /// accuracy for a planet of any size.

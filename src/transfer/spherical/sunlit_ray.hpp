@@ -15,7 +15,7 @@ struct RayPoint {
 };
 
 /// The parts of a line of sight that one sun reaches. The ray starts at (0, 0, r₀) and runs in the direction
-/// V, the sun is in the direction S; X is a point of the ray. [theory.md §4.6, eqs. G11-G12]
+/// V, the sun is in the direction S; X is a point of the ray. [theory.md §4.6, G10, G12-G13]
 class SunlitRay {
  public:
   /// @param start  where the ray starts

@@ -24,7 +24,7 @@ struct PolarStep {
 
 /// Short characteristics through every sublayer: for each direction of the sweep, the length of the ray
 /// and the place (polar angle, solar zenith angle) where it entered. Pure geometry, shared by all lanes.
-/// [theory.md §4.3, eqs. G5-G8]
+/// [theory.md §4.4, G5-G8]
 class SweepStencil {
  public:
   /// @param shells       boundaries of the sublayers

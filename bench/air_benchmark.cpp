@@ -1,0 +1,29 @@
+// From a profile to the solver's lanes: loading the default profile, and one optical column.
+
+#include <benchmark/benchmark.h>
+
+#include "skylut/optics/air.hpp"
+#include "skylut/profile/profile.hpp"
+
+namespace skylut {
+namespace {
+
+void load_default_profile(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(load_profile("ussa1976"));
+}
+BENCHMARK(load_default_profile)->Unit(benchmark::kMicrosecond);
+
+void build_air(benchmark::State& state) {
+  const Profile profile = load_profile("ussa1976");
+  for (auto _ : state) benchmark::DoNotOptimize(Air(profile, AirOptions{}));
+}
+BENCHMARK(build_air)->Unit(benchmark::kMicrosecond);
+
+void optical_column(benchmark::State& state) {
+  const Air air(load_profile("ussa1976"), AirOptions{});
+  for (auto _ : state) benchmark::DoNotOptimize(air.column(550.0, 0.5));
+}
+BENCHMARK(optical_column)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace skylut

@@ -1,0 +1,136 @@
+// The stages of the spherical solver on the default air: shared geometry, the diffuse field of one block of
+// lanes, and lines of sight through it.
+
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <vector>
+
+#include "skylut/optics/air.hpp"
+#include "skylut/profile/profile.hpp"
+#include "skylut/transfer/plane_parallel.hpp"
+#include "skylut/transfer/sky_radiance.hpp"
+#include "spherical/block_optics.hpp"
+#include "spherical/discretisation.hpp"
+#include "spherical/ray_geometry.hpp"
+#include "spherical/sweep_tables.hpp"
+
+namespace skylut {
+namespace {
+
+using namespace transfer;
+
+const Air& default_air() {
+  static const Air air(load_profile("ussa1976"), AirOptions{});
+  return air;
+}
+
+/// One full block of equal lanes at 550 nm; argument: aerosol optical depth at 500 nm in hundredths.
+struct OneBlock {
+  explicit OneBlock(benchmark::State& state)
+      : column(default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)))),
+        grid(default_air().shells(), discretisation_for(default_air().shells(), column, Quality::standard),
+             Quality::standard),
+        tables(grid),
+        lanes(static_cast<std::size_t>(best_kernel().lanes), &column),
+        optics(grid, lanes, best_kernel().lanes, true) {
+    state.SetLabel(best_kernel().instruction_set);
+  }
+  std::unique_ptr<SolvedBlock> solve() const {
+    return std::unique_ptr<SolvedBlock>(best_kernel().solve_block(
+        tables.view(), optics.view(), {0, 200, static_cast<float>(grid.limits.tolerance)}));
+  }
+
+  OpticalColumn column;
+  Discretisation grid;
+  SweepTables tables;
+  std::vector<const OpticalColumn*> lanes;
+  BlockOptics optics;
+};
+
+void shared_geometry(benchmark::State& state) {
+  const OpticalColumn column = default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)));
+  const DiscretisationKey key = discretisation_for(default_air().shells(), column, Quality::standard);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        std::make_unique<Discretisation>(default_air().shells(), key, Quality::standard));
+}
+BENCHMARK(shared_geometry)->Arg(0)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);
+
+void diffuse_field_of_a_block(benchmark::State& state) {
+  const OneBlock block(state);
+  for (auto _ : state) benchmark::DoNotOptimize(block.solve());
+}
+BENCHMARK(diffuse_field_of_a_block)->Arg(0)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);
+
+std::vector<SunAzimuth> ring_under_low_sun() {
+  std::vector<SunAzimuth> pairs;
+  for (int azimuth = 6; azimuth < 180; azimuth += 12) pairs.push_back({88.0, static_cast<double>(azimuth)});
+  return pairs;
+}
+
+void ray_geometry_of_a_ring(benchmark::State& state) {
+  const OneBlock block(state);
+  const std::vector<SunAzimuth> pairs = ring_under_low_sun();
+  for (auto _ : state) benchmark::DoNotOptimize(RayGeometry(block.grid, 0.0, 80.0, pairs));
+}
+BENCHMARK(ray_geometry_of_a_ring)->Arg(50)->Unit(benchmark::kMicrosecond);
+
+void lines_of_sight_of_a_ring(benchmark::State& state) {
+  const OneBlock block(state);
+  const auto field = block.solve();
+  const std::vector<SunAzimuth> pairs = ring_under_low_sun();
+  const RayGeometry geometry(block.grid, 0.0, 80.0, pairs);
+  const RayView ray = geometry.view(block.grid);
+  const std::vector<float> phase = geometry.phases(block.optics);
+  std::vector<float> radiance(pairs.size() * block.lanes.size());
+  for (auto _ : state) {
+    field->line_of_sight(ray, phase.data(), radiance.data());
+    benchmark::DoNotOptimize(radiance.data());
+  }
+}
+BENCHMARK(lines_of_sight_of_a_ring)->Arg(0)->Arg(50)->Unit(benchmark::kMicrosecond);
+
+/// Transfer of the default table; arguments: altitudes, suns.
+void whole_transfer(benchmark::State& state) {
+  std::vector<OpticalColumn> columns;
+  for (const double aod500 : {0.0, 0.5, 1.0})
+    for (double wavelength_nm = 380.0; wavelength_nm <= 780.0; wavelength_nm += 5.0)
+      columns.push_back(default_air().column(wavelength_nm, aod500));
+  SkyRequest request;
+  const auto altitudes = static_cast<double>(state.range(0));
+  const auto suns = static_cast<double>(state.range(1));
+  for (double i = 0.0; i < altitudes; ++i)
+    request.observer_altitudes_km.push_back(30.0 * i / (altitudes - 1.0));
+  for (double i = 0.0; i < suns; ++i) request.sun_zeniths_deg.push_back(90.0 * i / (suns - 1.0));
+  request.views.push_back({0.0, 0.0});
+  for (int ring = 1; ring <= 9; ++ring)
+    for (int azimuth = 6; azimuth < 180; azimuth += 12)
+      request.views.push_back({10.0 * ring, static_cast<double>(azimuth)});
+  TransferOptions options;
+  options.threads = 1;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(solve_sky_radiance(default_air().shells(), columns, request, options));
+}
+BENCHMARK(whole_transfer)
+    ->Args({5, 3})
+    ->Args({5, 5})
+    ->Args({20, 20})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+void plane_parallel_solver(benchmark::State& state) {
+  const OpticalColumn column = default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)));
+  PlaneParallelRequest request;
+  request.cos_sun_zenith = 0.5;
+  double depth = 0.0;
+  for (const double layer : column.extinction_depth) depth += layer;
+  request.output_depths = {depth};
+  request.cos_views = {-1.0, -0.5, -0.1};
+  request.relative_azimuths_rad = {0.0, 1.5, 3.0};
+  for (auto _ : state) benchmark::DoNotOptimize(solve_plane_parallel(column, request));
+}
+BENCHMARK(plane_parallel_solver)->Arg(0)->Arg(50)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace skylut
