@@ -40,7 +40,8 @@ def add_set(context, section, folder, pattern, title, radiance_bar, flux_bar):
         all_radiances.append(radiance)
         all_fluxes.append(flux)
         rows.append([name, len(radiance), percent(abs(radiance).max()) if len(radiance) else "–",
-                     percent(rms(radiance)) if len(radiance) else "–", len(flux), percent(abs(flux).max()), f"{seconds:.2f}"])
+                     percent(rms(radiance)) if len(radiance) else "–", len(flux), percent(abs(flux).max()),
+                     f"{seconds:.2f}"])
     section.add(f"### {title}")
     if not rows:
         section.add(f"Skipped: no `{folder}/{pattern}` in the reference folder.")
@@ -51,15 +52,18 @@ def add_set(context, section, folder, pattern, title, radiance_bar, flux_bar):
                   f"worst {percent(abs(radiance).max())}, RMS {percent(rms(radiance))}", percent(radiance_bar),
                   abs(radiance).max() <= radiance_bar)
     section.check(title, f"{len(rows)} cases, {len(flux)} fluxes",
-                  f"worst {percent(abs(flux).max())}, RMS {percent(rms(flux))}", percent(flux_bar), abs(flux).max() <= flux_bar)
+                  f"worst {percent(abs(flux).max())}, RMS {percent(rms(flux))}", percent(flux_bar),
+                  abs(flux).max() <= flux_bar)
 
 
 def run(context):
     section = Section("Plane-parallel solver against DISORT")
-    section.add("Our discrete-ordinate solver judges the spherical one in the limit of a flat planet (section 3), so it is judged "
+    section.add("Our discrete-ordinate solver judges the spherical one in the limit of a flat planet (section 3), so "
+                "it is judged "
                 f"first. No noise on either side. Values below {NEGLIGIBLE:g} of the largest are left out.")
     add_set(context, section, "solver", "pp_*.json", "libRadtran DISORT, 64 streams", 0.005, 0.001)
     add_set(context, section, "disort", "disort_*.json", "DISORT's test problems, 128 streams", 0.005, 0.001)
-    section.add("Rerun: `tools/validate --only plane-parallel`; one case: `skylut solve REFERENCE/solver/<case>.json` or "
+    section.add("Rerun: `tools/validate --only plane-parallel`; one case: `skylut solve REFERENCE/solver/<case>.json` "
+                "or "
                 "`skylut solve REFERENCE/disort/<case>.json`.")
     return section

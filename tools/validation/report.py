@@ -77,27 +77,37 @@ def write(options, names):
     options.work.mkdir(parents=True, exist_ok=True)
     figures = options.out / "figures"
     figures.mkdir(parents=True, exist_ok=True)
-    context = Context(Program(options.program), options.reference.resolve(), figures, PROFILES, options.work, options.quick,
+    context = Context(Program(options.program), options.reference.resolve(), figures, PROFILES, options.work,
+                      options.quick,
                       options.reuse_monte_carlo)
     for name in options.only:
         print(f"{name}", file=sys.stderr, flush=True)
         section = run_section(name, context)
         (options.work / f"{name}.json").write_text(json.dumps(section, indent=1), encoding="utf-8")
-    kept = [options.work / f"{name}.json" for name in names]
-    sections = [json.loads(path.read_text(encoding="utf-8")) for path in kept if path.exists()]
+    sections = {}
+    for name in names:
+        kept = options.work / f"{name}.json"
+        if kept.exists():
+            sections[name] = json.loads(kept.read_text(encoding="utf-8"))
     path = options.out / "validation.md"
     path.write_text(page(sections, context), encoding="utf-8")
-    failed = [check[0] for section in sections for check in section["checks"] if "no" in check[-1]]
-    print(f"wrote {path}; {sum(len(s['checks']) for s in sections)} checks, {len(failed)} not met")
+    verdicts = [check[-1] for section in sections.values() for check in section["checks"]]
+    print(f"wrote {path}; {len(verdicts)} checks, {sum('no' in verdict for verdict in verdicts)} not met")
 
 
 def page(sections, context):
     """The whole document."""
     blocks = [OPENING, f"skylut {context.program.version}; times are CPU seconds of one thread on {processor()}.",
               "## Summary"]
-    blocks.append(text.table(["reference", "conditions", "our error", "tolerance", "met"],
-                             [check for section in sections for check in section["checks"]]))
-    for number, section in enumerate(sections, 1):
+    blocks.append(text.table(["reference", "conditions", "our error", "tolerance", "met", "rerun"],
+                             [[*check, f"`tools/validate --only {name}`"]
+                              for name, section in sections.items() for check in section["checks"]]))
+    missed = [check for section in sections.values() for check in section["checks"] if "no" in check[-1]]
+    if missed:
+        blocks.append("**What falls short:**")
+        blocks.append("\n".join(f"- {reference} ({conditions}): {error}; asked for: {tolerance}."
+                                for reference, conditions, error, tolerance, _ in missed))
+    for number, section in enumerate(sections.values(), 1):
         blocks.append(f"## {number}. {section['title']}")
         blocks.extend(section["blocks"])
     return "\n\n".join(blocks) + "\n"

@@ -69,8 +69,10 @@ def under_another_sun(context, matching, wavelengths, radiance):
 
 def add_zenith(context, section):
     section.add("### Zenith luminance and chromaticity beside libRadtran")
-    section.add("libRadtran: plane-parallel DISORT, AFGL US standard, rural aerosol with exponent 1.3 over a background stratosphere, ground albedo "
-                "0.2. Ours is another model of the same air (spherical, our aerosol shape and albedo): near, not equal.")
+    section.add("libRadtran: plane-parallel DISORT, AFGL US standard, rural aerosol with exponent 1.3 over a "
+                "background stratosphere, ground albedo "
+                "0.2. Ours is another model of the same air (spherical, our aerosol shape and albedo): near, not "
+                "equal.")
     matching = colour_matching(context)
     has_kurucz = (context.reference / "data/solar_kurucz_gueymard_1nm.csv").exists()
     rows, ratios, plain, sampled = [], [], [], []
@@ -79,7 +81,8 @@ def add_zenith(context, section):
         ratio = ours["Y_cd_m2"] / 1000 / luminance - 1
         if aod == 0 and sun < 80 and altitude < 30:
             ratios.append(abs(ratio))
-        row = [f"{aod:g}", f"{sun:g}", f"{altitude:g}", f"{luminance:g}", f"{ours['Y_cd_m2'] / 1000:.4g}", percent(ratio, sign=True),
+        row = [f"{aod:g}", f"{sun:g}", f"{altitude:g}", f"{luminance:g}", f"{ours['Y_cd_m2'] / 1000:.4g}",
+               percent(ratio, sign=True),
                f"{x:.3f}, {y:.3f}" if x else "–", f"{ours['x']:.4f}, {ours['y']:.4f}"]
         if has_kurucz:
             bands, points = under_another_sun(context, matching, wavelengths, radiance)
@@ -88,17 +91,25 @@ def add_zenith(context, section):
                 plain.append(max(abs(ours["x"] - x), abs(ours["y"] - y)))
                 sampled.append(max(abs(points[1] - x), abs(points[2] - y)))
         rows.append(row)
-    header = ["aod500", "sun/°", "altitude/km", "Y libRadtran / kcd m⁻²", "ours", "difference", "x, y libRadtran", "ours"]
-    section.add(table(header + (["ours, Kurucz's sun in 5 nm bands", "ours, Kurucz's sun at 10 nm points"] if has_kurucz else []), rows))
-    section.check("libRadtran's zenith luminance, no aerosol", "sun 0° and 45°, 0 and 12 km", f"worst {percent(max(ratios))}", "5 %", max(ratios) <= 0.05)
+    header = ["aod500", "sun/°", "altitude/km", "Y libRadtran / kcd m⁻²", "ours", "difference", "x, y libRadtran",
+              "ours"]
+    section.add(table(header + (["ours, Kurucz's sun in 5 nm bands",
+                                 "ours, Kurucz's sun at 10 nm points"] if has_kurucz else []), rows))
+    section.check("libRadtran's zenith luminance, no aerosol", "sun 0° and 45°, 0 and 12 km",
+                  f"worst {percent(max(ratios))}", "5 %", max(ratios) <= 0.05)
     if has_kurucz:
-        section.check("libRadtran's zenith chromaticity, no aerosol", "as it is; with libRadtran's solar spectrum as it was sampled",
+        section.check("libRadtran's zenith chromaticity, no aerosol",
+                      "as it is; with libRadtran's solar spectrum as it was sampled",
                       f"worst {max(plain):.4f}; {max(sampled):.4f}", "0.004 with the same sun", max(sampled) <= 0.004)
-        section.add("Why y differs: libRadtran's figures used the solar spectrum of Kurucz (1992) sampled at 10 nm points, whose absorption lines "
-                    "happen to miss or hit the points. The last two columns put that spectrum in the place of ours (ASTM G173, 5 nm means) in "
-                    "the same skies: as 5 nm means it changes little, at 10 nm points it raises y by 0.006–0.008, to libRadtran's "
+        section.add("Why y differs: libRadtran's figures used the solar spectrum of Kurucz (1992) sampled at 10 nm "
+                    "points, whose absorption lines "
+                    "happen to miss or hit the points. The last two columns put that spectrum in the place of ours "
+                    "(ASTM G173, 5 nm means) in "
+                    "the same skies: as 5 nm means it changes little, at 10 nm points it raises y by 0.006–0.008, to "
+                    "libRadtran's "
                     "figures. The means are right: the eye integrates.")
-    section.add("Where there is aerosol the two models put it differently; from 12 and 30 km only the stratospheric layer is left. At aod500 = 0 "
+    section.add("Where there is aerosol the two models put it differently; from 12 and 30 km only the stratospheric "
+                "layer is left. At aod500 = 0 "
                 "ours has no aerosol at all, also in the stratosphere.")
 
 
@@ -121,11 +132,14 @@ def add_plausibility(context, section):
                  for path in sorted((context.table() / "maps").glob("entry_*.csv")) for sky in read_csv(path))
     skies = 271 * len(rows)
     section.add("### Plausibility of the 75-entry table")
-    section.add("What no table can break and be physics: see the summary for the verdicts (mirror-symmetric suns, zenith luminance over altitude, "
+    section.add("What no table can break and be physics: see the summary for the verdicts (mirror-symmetric suns, "
+                "zenith luminance over altitude, "
                 "chromaticities of all 75 × 271 directions, sign of B).")
-    section.check("mirror suns", f"{pairs} pairs of rows, coefficients and zenith", f"largest relative difference {mirror:.1e}", "1e-6", mirror <= 1e-6)
+    section.check("mirror suns", f"{pairs} pairs of rows, coefficients and zenith",
+                  f"largest relative difference {mirror:.1e}", "1e-6", mirror <= 1e-6)
     section.check("zenith luminance falls with altitude", "9 columns of 5 altitudes", f"{rises} rises", "0", rises == 0)
-    section.check("chromaticities inside the spectral locus", f"{skies} directions", f"{skies - inside} outside", "0", inside == skies)
+    section.check("chromaticities inside the spectral locus", f"{skies} directions", f"{skies - inside} outside", "0",
+                  inside == skies)
     positive = sum(row[f"B_{c}"] >= 0 for row in rows for c in "Yxy")
     section.check("B < 0, finite at the horizon", "225 fits", f"{positive} not negative", "0", positive == 0)
     draw(context, rows)
@@ -159,6 +173,7 @@ def run(context):
     section = Section("The sky: luminance, colour, plausibility")
     add_zenith(context, section)
     add_plausibility(context, section)
-    section.add("Rerun: `tools/validate --only sky`; one zenith: `skylut map -o sky.csv --turbidity 0.1 --sun-zenith-deg 45 --altitude-km 0`, its first row; "
+    section.add("Rerun: `tools/validate --only sky`; one zenith: `skylut map -o sky.csv --turbidity 0.1 "
+                "--sun-zenith-deg 45 --altitude-km 0`, its first row; "
                 "the table: `skylut table --out DIR --save-maps`.")
     return section

@@ -18,7 +18,8 @@ def percent(fraction, sign=False):
 def table(header, rows):
     """A Markdown table; cells of numbers are aligned right."""
     def numeric(column):
-        return bool(rows) and all(re.fullmatch(r"[-+<≤]?[\d.]+(e[-+]\d+)?( ?[%s])?|–|", str(row[column])) for row in rows)
+        return bool(rows) and all(re.fullmatch(r"[-+<≤]?[\d.]+(e[-+]\d+)?( ?[%s])?|–|",
+                                               str(row[column])) for row in rows)
 
     marks = ["--:" if numeric(i) else "---" for i in range(len(header))]
     lines = [header, marks, *rows]

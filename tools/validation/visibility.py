@@ -25,15 +25,18 @@ def koschmieder_km(aod500):
 def kinds(context, name, values):
     """Every kind of turbidity for the values of one kind, as table.json lists them."""
     folder = context.work / f"turbidity-{name}"
-    context.program.run("table", "--out", folder, "--turbidity-kind", name, "--turbidities", ",".join(map(str, values)), "--altitudes-km", "0",
+    context.program.run("table", "--out", folder, "--turbidity-kind", name, "--turbidities", ",".join(map(str, values)),
+                        "--altitudes-km", "0",
                         "--suns", "45:180", "--wavelengths-nm", "400:700:50", "--quality", "draft", "--threads", 1)
     return json.loads((folder / "table.json").read_text(encoding="utf-8"))["inputs"]["turbidities"]
 
 
 def run(context):
     section = Section("Visibility and turbidity")
-    section.add("The same air in each kind. Koschmieder: 3.912 over the extinction at the ground at 550 nm; beside it the same from the definitions "
-                "on paper (Rayleigh 0.0971 over 8.43 km; haze of 2 km scale height, 0.005 of it in the stratosphere). Back: aod500 that "
+    section.add("The same air in each kind. Koschmieder: 3.912 over the extinction at the ground at 550 nm; beside it "
+                "the same from the definitions "
+                "on paper (Rayleigh 0.0971 over 8.43 km; haze of 2 km scale height, 0.005 of it in the stratosphere). "
+                "Back: aod500 that "
                 "`--turbidity-kind visibility-km` returns for that visibility.")
     given = kinds(context, "aod500", AOD500)
     # Not the clearest air: that visibility is one bit from being refused as longer than pure air's.
@@ -46,10 +49,15 @@ def run(context):
         # A visibility cannot tell the stratospheric layer: what comes back is that layer plus the haze.
         if i:
             round_trip = max(round_trip, abs(returned / row["aod500"] - 1))
-        rows.append([f"{row['aod500']:g}", f"{row['aod550']:.4f}", f"{row['angstrom-beta']:.4f}", f"{row['preetham-t']:.3f}",
+        rows.append([f"{row['aod500']:g}", f"{row['aod550']:.4f}", f"{row['angstrom-beta']:.4f}",
+                     f"{row['preetham-t']:.3f}",
                      f"{row['visibility-km']:.2f}", f"{paper:.2f}", f"{returned:.6f}" if i else "–"])
-    section.add(table(["aod500", "aod550", "Ångström β", "Preetham T", "visibility/km", "on paper/km", "aod500 back"], rows))
-    section.check("Koschmieder's visibility on paper", f"{len(rows)} loads, aod500 0–2", f"worst {100 * worst:.2f} %", "0.5 %", worst <= 0.005)
-    section.check("visibility there and back", f"{len(rows) - 1} loads", f"aod500 within {round_trip:.1e}", "1e-6", round_trip <= 1e-6)
-    section.add("Rerun: `tools/validate --only visibility`; one load: `skylut profile show ussa1976 --turbidity 0.1`, or `--turbidity-kind visibility-km --turbidity 23`.")
+    section.add(table(["aod500", "aod550", "Ångström β", "Preetham T", "visibility/km", "on paper/km", "aod500 back"],
+                      rows))
+    section.check("Koschmieder's visibility on paper", f"{len(rows)} loads, aod500 0–2", f"worst {100 * worst:.2f} %",
+                  "0.5 %", worst <= 0.005)
+    section.check("visibility there and back", f"{len(rows) - 1} loads", f"aod500 within {round_trip:.1e}", "1e-6",
+                  round_trip <= 1e-6)
+    section.add("Rerun: `tools/validate --only visibility`; one load: `skylut profile show ussa1976 --turbidity 0.1`, "
+                "or `--turbidity-kind visibility-km --turbidity 23`.")
     return section
