@@ -7,7 +7,7 @@ from .figures import COLOURS, plt, save
 from .program import read_csv
 from .text import Section, percent, table
 
-STARTS = 300
+STARTS = 200
 STARTS_QUICK = 30
 CHANNELS = {"Y": "Y_cd_m2", "x": "x", "y": "y"}
 
@@ -55,7 +55,7 @@ def unmirrored(entries):
 
 
 def search_all(context, entries):
-    """(number, channel, ours/best, best/ours, starts that arrived, row) of the fits that are not mirror images."""
+    """(number, channel, ours/best, our cost, starts that arrived, row) of the fits that are not mirror images."""
     starts = STARTS_QUICK if context.quick else STARTS
     found = []
     for number, row, sky in unmirrored(entries):

@@ -1,10 +1,14 @@
-"""Search for the best Perez coefficients that shares nothing with the program's: random starts, SciPy's Levenberg-Marquardt.
+"""Search for the best Perez coefficients that shares nothing with the program's.
 
-Formula F(theta, gamma) = (1 + A e^(B/cos theta)) (1 + C e^(D gamma) + E cos^2 gamma), sky v = v_zenith F(theta, gamma)/F(0, theta_sun).
-Unknowns here: a, c, e of the equivalent form without poles
-    v/v_zenith = (1 + a (e^(B (1/cos theta - 1)) - 1)) (1 + c (e^(D gamma) - e^(D theta_sun)) + e (cos^2 gamma - cos^2 theta_sun)),
-and B, D mapped into the program's bounds by a logistic function. All five move at once (the program eliminates c and e), starts are
-random (the program's are the valleys of a grid).
+Formula: F(theta, gamma) = (1 + A e^(B/cos theta)) (1 + C e^(D gamma) + E cos^2 gamma), and the sky
+v = v_zenith F(theta, gamma)/F(0, theta_sun). Unknowns here: a, c, e of the equivalent form without poles
+
+    v/v_zenith = (1 + a (e^(B (1/cos theta - 1)) - 1))
+                 (1 + c (e^(D gamma) - e^(D theta_sun)) + e (cos^2 gamma - cos^2 theta_sun)),
+
+and B, D mapped into the program's bounds by a logistic function. All five move at once under SciPy's
+Levenberg-Marquardt (the program eliminates c and e), and the starts are random (the program's are the valleys
+of a grid).
 """
 
 import numpy
@@ -85,7 +89,7 @@ class Problem:
         return x
 
     def search(self, starts, generator):
-        """Lowest cost of so many random starts, each followed by Levenberg-Marquardt; and how many came within 1 % of it."""
+        """Lowest cost of so many random starts, and how many of them came within 1 % of it."""
         costs = []
         with numpy.errstate(all="ignore"):
             for _ in range(starts):

@@ -26,10 +26,9 @@ def add_preetham(context, section):
                       f"{row['rmse_y']:.4f}"]
         rows.append(cells + [row["range"]])
     section.add("### Preetham, Shirley and Smits 1999 at 0 km")
-    section.add("aod500 becomes Preetham's T = (τ_R + τ_A)/τ_R at 550 nm. Dome: root mean square over the 271 "
-                "directions of our fitted sky against his, "
-                "Y relative to his. His coefficients are meant for T = 2–6, and his zenith formula leaves the physics "
-                "with the sun at the horizon (its Y there is far above twilight's); nothing here is tuned to it.")
+    section.add("aod500 becomes Preetham's T = (τ_R + τ_A)/τ_R at 550 nm. Dome: root mean square over the 271 directions of "
+                "our fitted sky against his, Y relative to his. His coefficients are meant for T = 2–6. Another atmosphere "
+                "and another simulation: nothing here is tuned to it.")
     section.add(table(["aod500", "T", "sun/°", "Y zenith ours", "Preetham", "x, y ours", "Preetham", "dome Y",
                        "mean of Y", "dome x", "dome y", ""], rows))
     inside = [row for row in answer["rows"] if row["range"] == "in range"]

@@ -9,8 +9,8 @@ from .figures import COLOURS, plt, save
 from .program import read_csv
 from .text import Section, percent, table
 
-# Zenith luminance in kcd/m2 and x, y by libRadtran (plane-parallel DISORT, AFGL US standard, rural aerosol with exponent 1.3 over a
-# background stratosphere, ground albedo 0.2): (aod500, sun zenith, altitude, Y, x, y).
+# Zenith luminance in kcd/m2 and x, y by libRadtran (plane-parallel DISORT, AFGL US standard, rural aerosol with
+# exponent 1.3 over a background stratosphere, ground albedo 0.2): (aod500, sun zenith, altitude, Y, x, y).
 LIBRADTRAN = [(0, 0, 0, 1.83, 0.234, 0.241), (0, 0, 12, 0.368, None, None), (0, 0, 30, 0.023, None, None),
               (0, 45, 0, 1.36, 0.233, 0.239), (0, 45, 12, 0.279, 0.227, 0.229), (0, 45, 30, 0.018, None, None),
               (0, 80, 0, 0.657, 0.236, 0.249), (0, 80, 12, 0.159, None, None), (0, 80, 30, 0.011, None, None),

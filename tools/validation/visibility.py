@@ -10,8 +10,8 @@ KOSCHMIEDER = 3.912
 ANGSTROM_EXPONENT = 1.3
 HAZE_SCALE_HEIGHT_KM = 2.0
 STRATOSPHERIC_AOD500 = 0.005
-# Rayleigh extinction at the ground at 550 nm, US standard atmosphere at 288.15 K and 1013.25 hPa (Bodhaine et al. 1999): optical depth
-# 0.0971 over the scale height of the column 8.43 km.
+# Rayleigh extinction at the ground at 550 nm: the optical depth 0.0971 of Bodhaine et al. 1999 over the scale
+# height of the column, R T/(M g) = 8.43 km at 288.15 K.
 RAYLEIGH_PER_KM = 0.0971 / 8.43
 
 
