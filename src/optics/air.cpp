@@ -15,10 +15,11 @@ namespace {
 
 // Layer boundaries: fine where the haze and the observers are, coarse where little air is left.
 std::vector<double> layer_levels_km(double top_km) {
-  std::vector<double> levels{0.0, 0.1, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5};
-  for (int z = 3; z <= 20; ++z) levels.push_back(z);
-  for (int z = 22; z <= 30; z += 2) levels.push_back(z);
-  for (int z : {35, 40, 45, 50, 60, 70, 80, 100}) levels.push_back(z);
+  std::vector<double> levels{0.0, 0.1};
+  for (double z = 0.25; z < 7.0; z += 0.25) levels.push_back(z);
+  for (double z = 7.0; z < 35.0; z += 0.5) levels.push_back(z);
+  for (double z = 35.0; z < 50.0; z += 2.5) levels.push_back(z);
+  for (double z : {50.0, 55.0, 60.0, 70.0, 80.0, 100.0}) levels.push_back(z);
   if (top_km > levels.back()) levels.push_back(top_km);
   return levels;
 }

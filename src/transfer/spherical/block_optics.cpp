@@ -4,6 +4,42 @@
 
 namespace skylut::transfer {
 
+namespace {
+
+/// Scales one column's layers into lane `lane`. [S2-S4]
+void scale_column(const Shells& shells, const OpticalColumn& column, std::size_t degrees, bool delta_m,
+                  std::size_t lane, std::size_t lanes, ScaledLayers& scaled) {
+  // χ_l of every scatterer up to the degree that delta-M cuts off.
+  std::vector<std::vector<double>> chi;
+  for (const Scatterer& scatterer : column.scatterers) {
+    std::vector<double>& moments = chi.emplace_back();
+    for (std::size_t l = 0; l <= degrees; ++l)
+      moments.push_back(scatterer.phase->moment(static_cast<int>(l)));
+  }
+  for (std::size_t layer = 0; layer < column.extinction_depth.size(); ++layer) {
+    std::vector<double> mixed(degrees + 1);
+    for (std::size_t s = 0; s < chi.size(); ++s)
+      for (std::size_t l = 0; l <= degrees; ++l)
+        mixed[l] += column.scatterers[s].scattering_depth[layer] * chi[s][l];
+    // Truncated forward peak: f = χ_{L+1}; β' = β - f β_sca, and β'ω'χ'_l = β_sca (χ_l - f).
+    const double peak = delta_m ? mixed[degrees] : 0.0;
+    const double depth = column.extinction_depth[layer] - peak;
+    const double thickness_km = shells.levels_km[layer + 1] - shells.levels_km[layer];
+    scaled.extinction_per_km[layer * lanes + lane] = static_cast<float>(depth / thickness_km);
+    for (std::size_t l = 0; l < degrees; ++l)
+      scaled.source_factor[(layer * degrees + l) * lanes + lane] =
+          depth > 0.0 ? static_cast<float>((2.0 * static_cast<double>(l) + 1.0) * (mixed[l] - peak) / depth)
+                      : 0.0f;
+  }
+}
+
+ScaledLayers zero_layers(const Shells& shells, std::size_t degrees, std::size_t lanes) {
+  const std::size_t layers = shells.levels_km.size() - 1;
+  return {std::vector<float>(layers * lanes), std::vector<float>(layers * degrees * lanes)};
+}
+
+}  // namespace
+
 BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColumn* const> columns,
                          int lanes_, bool delta_m)
     : lanes(lanes_), scatterers(0) {
@@ -12,43 +48,24 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
   for (const OpticalColumn* one : column)
     scatterers = std::max(scatterers, static_cast<int>(one->scatterers.size()));
 
+  const Shells& shells = grid.shells;
   const auto width = static_cast<std::size_t>(lanes);
-  const auto layer_count = static_cast<std::size_t>(grid.layers.layers());
-  const auto degree_count = static_cast<std::size_t>(grid.angles.resolution().max_l + 1);
-  extinction_per_km.resize(layer_count * width);
-  source_factor.resize(layer_count * degree_count * width);
+  const std::size_t layer_count = shells.levels_km.size() - 1;
+  const auto degrees = static_cast<std::size_t>(grid.angles.resolution().max_l + 1);
+  layers = zero_layers(shells, degrees, width);
+  sweep_layers = zero_layers(grid.merge.shells(), degrees, width);
   scattering_per_km.resize(static_cast<std::size_t>(scatterers) * layer_count * width);
 
   for (std::size_t lane = 0; lane < width; ++lane) {
     const OpticalColumn& one = *column[lane];
     ground_albedo.push_back(static_cast<float>(one.ground_albedo));
-    // χ_l of every scatterer up to the degree that delta-M cuts off.
-    std::vector<std::vector<double>> chi;
-    for (const Scatterer& scatterer : one.scatterers) {
-      std::vector<double>& moments = chi.emplace_back();
-      for (std::size_t l = 0; l <= degree_count; ++l)
-        moments.push_back(scatterer.phase->moment(static_cast<int>(l)));
-    }
-    for (std::size_t layer = 0; layer < layer_count; ++layer) {
-      const double thickness_km =
-          grid.layers.level_km(static_cast<int>(layer) + 1) - grid.layers.level_km(static_cast<int>(layer));
-      std::vector<double> mixed(degree_count + 1);
-      for (std::size_t s = 0; s < chi.size(); ++s) {
-        const double depth = one.scatterers[s].scattering_depth[layer];
-        for (std::size_t l = 0; l <= degree_count; ++l) mixed[l] += depth * chi[s][l];
+    scale_column(shells, one, degrees, delta_m, lane, width, layers);
+    scale_column(grid.merge.shells(), grid.merge.column(one), degrees, delta_m, lane, width, sweep_layers);
+    for (std::size_t s = 0; s < one.scatterers.size(); ++s)
+      for (std::size_t layer = 0; layer < layer_count; ++layer)
         scattering_per_km[(s * layer_count + layer) * width + lane] =
-            static_cast<float>(depth / thickness_km);
-      }
-      // Truncated forward peak: f = χ_{L+1}; β' = β - f β_sca, and β'ω'χ'_l = β_sca (χ_l - f). [S2-S4]
-      const double peak = delta_m ? mixed[degree_count] : 0.0;
-      const double extinction = one.extinction_depth[layer] - peak;
-      extinction_per_km[layer * width + lane] = static_cast<float>(extinction / thickness_km);
-      for (std::size_t l = 0; l < degree_count; ++l) {
-        const double factor =
-            extinction > 0.0 ? (2.0 * static_cast<double>(l) + 1.0) * (mixed[l] - peak) / extinction : 0.0;
-        source_factor[(layer * degree_count + l) * width + lane] = static_cast<float>(factor);
-      }
-    }
+            static_cast<float>(one.scatterers[s].scattering_depth[layer] /
+                               (shells.levels_km[layer + 1] - shells.levels_km[layer]));
   }
 }
 

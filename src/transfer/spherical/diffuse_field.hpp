@@ -55,7 +55,8 @@ class DiffuseField {
         optics_(optics),
         half_{LaneArray<V>(count(grid.sublayers + 1, grid.moments)),
               LaneArray<V>(count(grid.sublayers + 1, grid.moments))},
-        beam_(count(2 * grid.sublayers + 1, 1)),
+        beam_gain_(count(grid.sublayers, 1)),
+        beam_(count(grid.sublayers + 1, 1)),
         radiance_(count(1, directions())),
         upwind_(count(1, directions())),
         local_source_(count(1, directions())),
@@ -91,8 +92,11 @@ class DiffuseField {
   std::size_t moment_index(int level, int node) const {
     return static_cast<std::size_t>(level * grid_.sun_nodes + node) * static_cast<std::size_t>(grid_.moments);
   }
-  V extinction(int layer) const { return load<V>(optics_.extinction_per_km + layer * kLaneCount<V>); }
+  V extinction(int layer) const {
+    return load<V>(optics_.sweep_layers.extinction_per_km + layer * kLaneCount<V>);
+  }
 
+  V beam_transmission(int point, int node) const;
   void attenuate_beam();
   void sweep_down(LaneMask<V> active);
   void reflect_at_ground(LaneMask<V> active, bool by_order);
@@ -107,7 +111,8 @@ class DiffuseField {
   const OpticsView& optics_;
   const V* source_half_[2];    // the moments that make the source: half_, or those of one order less
   LaneArray<V> half_[2];       // moments of each hemisphere [level][node][moment]
-  LaneArray<V> beam_;          // transmission of the sunbeam [point][node]
+  LaneArray<V> beam_gain_;     // see attenuate_beam [sublayer][node]
+  LaneArray<V> beam_;          // transmission of the sunbeam [level][node]
   LaneArray<V> radiance_;      // at the level the sweep has reached [node][direction]
   LaneArray<V> upwind_;        // interpolated in polar angle, at the start of the step
   LaneArray<V> local_source_;  // source at the end of the step, then at its start
@@ -156,16 +161,42 @@ bool DiffuseField<V>::solve(const IterationLimits& limits) {
 }
 
 template <class V>
+V DiffuseField<V>::beam_transmission(int point, int node) const {
+  const float* path = grid_.beam_path_km[point * grid_.sun_nodes + node];
+  if (path == nullptr) return V{};
+  V depth{};
+  for (int layer = 0; layer < grid_.layers; ++layer)
+    depth += load<V>(optics_.layers.extinction_per_km + layer * kLaneCount<V>) * path[layer];
+  return exp_minus(depth);
+}
+
+/// Transmission of the sunbeam at every level, and the factor that makes the mean of its two ends the mean
+/// over a sublayer, weighted by extinction: by Simpson's rule within one layer, else by the middles of the
+/// pieces. Without it a low sun is 1 % off. [M4]
+template <class V>
 void DiffuseField<V>::attenuate_beam() {
-  const int points = 2 * grid_.sublayers + 1;
-  for (int point = 0; point < points; ++point)
-    for (int node = 0; node < grid_.sun_nodes; ++node) {
-      const float* path = grid_.beam_path_km[point * grid_.sun_nodes + node];
-      V depth{};
-      for (int layer = 0; path != nullptr && layer < grid_.layers; ++layer)
-        depth += extinction(layer) * path[layer];
-      beam_.data()[point * grid_.sun_nodes + node] = path == nullptr ? V{} : exp_minus(depth);
+  const int levels = grid_.sublayers + 1;
+  for (int node = 0; node < grid_.sun_nodes; ++node) {
+    V* level = beam_.data() + node;
+    for (int k = 0; k < levels; ++k) level[k * grid_.sun_nodes] = beam_transmission(k, node);
+    for (int k = 0; k < grid_.sublayers; ++k) {
+      V sum{};
+      V weights{};
+      for (int piece = grid_.first_piece[k]; piece < grid_.first_piece[k + 1]; ++piece) {
+        const V weight =
+            load<V>(optics_.layers.extinction_per_km + grid_.piece_layer[piece] * kLaneCount<V>) *
+                grid_.piece_thickness_km[piece] +
+            1e-30f;
+        sum += weight * beam_transmission(levels + piece, node);
+        weights += weight;
+      }
+      const V ends = level[k * grid_.sun_nodes] + level[(k + 1) * grid_.sun_nodes];
+      V mean = sum / weights;
+      if (grid_.first_piece[k + 1] - grid_.first_piece[k] == 1) mean = (4.0f * mean + ends) * (1.0f / 6.0f);
+      beam_gain_.data()[k * grid_.sun_nodes + node] =
+          select<V>(ends > 1e-30f, 2.0f * mean / (ends + 1e-30f), V{});
     }
+  }
 }
 
 /// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes:
@@ -173,22 +204,12 @@ void DiffuseField<V>::attenuate_beam() {
 template <class V>
 void DiffuseField<V>::source(Hemisphere half, int sublayer, int level, int node, int polar_count, V* to) {
   const int layer = grid_.layer_of_sublayer[sublayer];
-  const V* beam = beam_.data() + node;
-  const int nodes = grid_.sun_nodes;
-  const V lower = beam[2 * sublayer * nodes];
-  const V middle = beam[(2 * sublayer + 1) * nodes];
-  const V upper = beam[(2 * sublayer + 2) * nodes];
-  // The beam's transmission is not linear within the sublayer; scale its ends so that their mean is
-  // Simpson's: otherwise a low sun is 1 % off.
-  const V ends = lower + upper;
-  const V correction =
-      select<V>(ends > 1e-30f, (lower + 4.0f * middle + upper) / (3.0f * (ends + 1e-30f)), V{});
-  const V transmission = beam[2 * level * nodes] * correction;
-
+  const V transmission =
+      beam_.data()[level * grid_.sun_nodes + node] * beam_gain_.data()[sublayer * grid_.sun_nodes + node];
   const V* down = source_half_[kDown] + moment_index(level, node);
   const V* up = source_half_[kUp] + moment_index(level, node);
   const float* beam_moment = grid_.beam_moment + node * grid_.moments;
-  const float* factor = optics_.source_factor + layer * grid_.degrees * kLaneCount<V>;
+  const float* factor = optics_.sweep_layers.source_factor + layer * grid_.degrees * kLaneCount<V>;
   V* scaled = scaled_moments_.data();
   for (int i = 0; i < grid_.moments; ++i)
     scaled[i] = (down[i] + up[i] + transmission * beam_moment[i]) *

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "skylut/core/constants.hpp"
@@ -32,7 +33,8 @@ std::vector<double> split_levels(const Shells& shells, const std::vector<int>& p
   return levels;
 }
 
-std::vector<int> layers_of(const ShellGeometry& layers, const ShellGeometry& sublayers) {
+std::vector<int> layers_of(const Shells& merged, const ShellGeometry& sublayers) {
+  const ShellGeometry layers(merged.levels_km, merged.planet_radius_km);
   std::vector<int> layer_of;
   for (int sublayer = 0; sublayer < sublayers.layers(); ++sublayer)
     layer_of.push_back(
@@ -40,12 +42,17 @@ std::vector<int> layers_of(const ShellGeometry& layers, const ShellGeometry& sub
   return layer_of;
 }
 
+std::vector<double> joined_levels(const ShellGeometry& layers, const ShellGeometry& sublayers) {
+  std::vector<double> levels;
+  std::set_union(layers.levels_km().begin(), layers.levels_km().end(), sublayers.levels_km().begin(),
+                 sublayers.levels_km().end(), std::back_inserter(levels));
+  return levels;
+}
+
 std::vector<int> parts_for(const std::vector<double>& depth, double optical_step) {
   std::vector<int> parts;
-  for (const double layer_depth : depth) {
-    parts.push_back(1);
-    while (layer_depth > optical_step * parts.back()) parts.back() *= 2;
-  }
+  for (const double layer_depth : depth)
+    parts.push_back(std::max(1, static_cast<int>(std::ceil(layer_depth / optical_step))));
   return parts;
 }
 
@@ -57,7 +64,7 @@ std::vector<int> common_parts(const Shells& shells, const std::vector<double>& d
   const auto sum = [](const std::vector<int>& parts) {
     return std::accumulate(parts.begin(), parts.end(), 0);
   };
-  for (double extinction_per_km = 0.05;; extinction_per_km *= 2.0) {
+  for (double extinction_per_km = 0.05;; extinction_per_km *= 1.5) {
     std::vector<double> model;
     for (std::size_t layer = 0; layer < depth.size(); ++layer) {
       const double middle_km = 0.5 * (shells.levels_km[layer] + shells.levels_km[layer + 1]);
@@ -76,8 +83,8 @@ std::vector<int> common_parts(const Shells& shells, const std::vector<double>& d
 /// orders of magnitude, and beyond the largest sun by what a horizontal ray can cover (√(2·100/6371) = 10°).
 std::vector<double> sun_nodes(bool dense) {
   if (!dense)
-    return {0,    10, 20, 30, 40, 50, 58, 65, 70, 74,   77, 80, 82,  84,
-            85.5, 87, 88, 89, 90, 91, 92, 93, 94, 95.5, 97, 99, 101, 104};
+    return {0,  10,   20, 30,   40, 50,   58, 65, 70, 74,    77,   80,    82, 84, 85.5, 87, 88,
+            89, 89.5, 90, 90.5, 91, 91.5, 92, 93, 94, 94.75, 95.5, 96.25, 97, 99, 101,  104};
   std::vector<double> nodes;
   for (double node = 0.0; node < 70.0; node += 5.0) nodes.push_back(node);
   for (double node = 70.0; node < 84.0; node += 1.0) nodes.push_back(node);
@@ -124,11 +131,11 @@ AngularResolution angles_for(const OpticalColumn& column, const QualityLimits& l
 QualityLimits limits_of(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {0.2, 0.03, 0.6, 8, false, 20.0, 2.0, 3e-3};
+      return {0.2, 0.03, 0.6, 8, false, true, 20.0, 2.0, 3e-3};
     case Quality::standard:
-      return {0.05, 0.015, 0.7, 10, false, 10.0, 0.5, 1e-3};
+      return {0.04, 0.015, 0.7, 10, false, true, 10.0, 0.25, 1e-3};
     case Quality::reference:
-      return {0.02, 0.006, 0.9, 16, true, 5.0, 0.25, 1e-4};
+      return {0.02, 0.006, 0.9, 16, true, false, 5.0, 0.125, 1e-4};
   }
   return limits_of(Quality::standard);
 }
@@ -137,48 +144,61 @@ DiscretisationKey discretisation_for(const Shells& shells, const OpticalColumn& 
   const QualityLimits limits = limits_of(quality);
   DiscretisationKey key;
   key.angles = angles_for(column, limits);
-  std::vector<double> scaled_depth = column.extinction_depth;
-  for (const Scatterer& scatterer : column.scatterers) {
+  const LayerMerge merge(shells, !limits.merge_layers);
+  const OpticalColumn merged = merge.column(column);
+  std::vector<double> scaled_depth = merged.extinction_depth;
+  for (const Scatterer& scatterer : merged.scatterers) {
     const double peak = scatterer.phase->moment(key.angles.max_l + 1);
     for (std::size_t layer = 0; layer < scaled_depth.size(); ++layer)
       scaled_depth[layer] -= scatterer.scattering_depth[layer] * peak;
   }
   const std::vector<int> own = parts_for(scaled_depth, limits.optical_step);
-  key.sublayers = common_parts(shells, scaled_depth, own, limits.optical_step);
+  key.sublayers = common_parts(merge.shells(), scaled_depth, own, limits.optical_step);
   return key;
 }
 
 BeamGeometry::BeamGeometry(const ShellGeometry& layers, const ShellGeometry& sublayers,
                            const std::vector<double>& sun_nodes_deg)
-    : points_(2 * sublayers.levels() - 1),
-      nodes_(static_cast<int>(sun_nodes_deg.size())),
-      layers_(static_cast<std::size_t>(layers.layers())) {
+    : nodes_(static_cast<int>(sun_nodes_deg.size())), layers_(static_cast<std::size_t>(layers.layers())) {
+  std::vector<double> altitude_km = sublayers.levels_km();
+  for (int sublayer = 0; sublayer < sublayers.layers(); ++sublayer) {
+    first_piece_.push_back(static_cast<int>(piece_layer_.size()));
+    double bottom = sublayers.level_km(sublayer);
+    while (bottom < sublayers.level_km(sublayer + 1)) {
+      const int layer = layers.layer_of(bottom);
+      const double top = std::min(layers.level_km(layer + 1), sublayers.level_km(sublayer + 1));
+      piece_layer_.push_back(layer);
+      piece_thickness_km_.push_back(static_cast<float>(top - bottom));
+      altitude_km.push_back(0.5 * (bottom + top));
+      bottom = top;
+    }
+  }
+  first_piece_.push_back(static_cast<int>(piece_layer_.size()));
+
+  points_ = static_cast<int>(altitude_km.size());
   lit_.resize(static_cast<std::size_t>(points_ * nodes_));
   path_km_.resize(lit_.size() * layers_);
   std::vector<double> length;
-  for (int point = 0; point < points_; ++point) {
-    const int level = point / 2;
-    const double altitude = point % 2 == 0
-                                ? sublayers.level_km(level)
-                                : 0.5 * (sublayers.level_km(level) + sublayers.level_km(level + 1));
-    for (int node = 0; node < nodes_; ++node) {
-      const auto at = static_cast<std::size_t>(point * nodes_ + node);
-      const double cosine = std::cos(sun_nodes_deg[static_cast<std::size_t>(node)] * kRadiansPerDegree);
-      lit_[at] = layers.path_to_top(altitude, cosine, length);
-      if (lit_[at])
-        std::transform(length.begin(), length.end(),
-                       path_km_.begin() + static_cast<std::ptrdiff_t>(at * layers_),
-                       [](double value) { return static_cast<float>(value); });
-    }
+  for (std::size_t at = 0; at < lit_.size(); ++at) {
+    const std::size_t node = at % sun_nodes_deg.size();
+    const double cosine = std::cos(sun_nodes_deg[node] * kRadiansPerDegree);
+    lit_[at] = layers.path_to_top(altitude_km[at / sun_nodes_deg.size()], cosine, length);
+    if (lit_[at])
+      std::transform(length.begin(), length.end(),
+                     path_km_.begin() + static_cast<std::ptrdiff_t>(at * layers_),
+                     [](double value) { return static_cast<float>(value); });
   }
 }
 
-Discretisation::Discretisation(const Shells& shells, const DiscretisationKey& key, Quality quality)
-    : layers(shells.levels_km, shells.planet_radius_km),
-      sublayers(split_levels(shells, key.sublayers), shells.planet_radius_km),
-      layer_of_sublayer(layers_of(layers, sublayers)),
+Discretisation::Discretisation(const Shells& shells_, const DiscretisationKey& key, Quality quality)
+    : limits(limits_of(quality)),
+      shells(shells_),
+      merge(shells, !limits.merge_layers),
+      layers(shells.levels_km, shells.planet_radius_km),
+      sublayers(split_levels(merge.shells(), key.sublayers), shells.planet_radius_km),
+      ray_steps(joined_levels(layers, sublayers), shells.planet_radius_km),
+      layer_of_sublayer(layers_of(merge.shells(), sublayers)),
       angles(key.angles),
-      limits(limits_of(quality)),
       sun_nodes_deg(sun_nodes(limits.dense_sun_nodes)),
       stencil(sublayers, angles, sun_nodes_deg),
       beam(layers, sublayers, sun_nodes_deg) {}

@@ -23,7 +23,7 @@ struct SweepView {
   int degrees;  ///< max_l + 1
   int chord_nodes;
 
-  const int* layer_of_sublayer;
+  const int* layer_of_sublayer;         ///< merged layer
   const int* moment_offset;             ///< [m], of (m, m)
   const int* moment_degree;             ///< [moment]: its l
   const float* polar_synthesis[2][32];  ///< [hemisphere][m], panels
@@ -35,13 +35,23 @@ struct SweepView {
   const float* sun_cosine;           ///< [sun node]
   const PolarStep* polar_step[2];    ///< [hemisphere][sublayer][polar]
   const SunTaps* sun_taps[2];        ///< [hemisphere][sublayer][sun node][polar][azimuth]
-  const float* const* beam_path_km;  ///< [point][sun node] → [layer], null in the shadow (see BeamGeometry)
+  const float* const* beam_path_km;  ///< [point][sun node] → [layer], null in the shadow: see BeamGeometry
+  const int* first_piece;            ///< [sublayer], one past the last
+  const int* piece_layer;
+  const float* piece_thickness_km;
 };
 
+/// See ScaledLayers.
+struct LayerView {
+  const float* extinction_per_km;
+  const float* source_factor;
+};
+
+/// See BlockOptics.
 struct OpticsView {
   int scatterers;
-  const float* extinction_per_km;  ///< see BlockOptics
-  const float* source_factor;
+  LayerView layers;
+  LayerView sweep_layers;
   const float* scattering_per_km;
   const float* ground_albedo;
 };
@@ -52,9 +62,11 @@ struct IterationLimits {
   float tolerance;  ///< relative error of the mean diffuse radiance left by the orders not summed
 };
 
-/// One segment of a line of sight, within one sublayer, from its near end to its far end.
+/// One segment of a line of sight, within one sublayer and one layer of the medium, from its near end to its
+/// far end.
 struct RaySegment {
   int sublayer;
+  int layer;
   float length_km;
   float near_fraction;  ///< height of the end within the sublayer, 0 at its lower level, 1 at its upper
   float far_fraction;

@@ -41,7 +41,7 @@ inline V depth_to_sun(const RayView& ray, const OpticsView& optics, int layers, 
   V sum[4] = {};
   int layer = 0;
   const auto term = [&](int at) {
-    return load<V>(optics.extinction_per_km + at * kLaneCount<V>) * length[at];
+    return load<V>(optics.layers.extinction_per_km + at * kLaneCount<V>) * length[at];
   };
   while (layer < layers && level[layer + 1] <= lowest) ++layer;
   for (; layer + 4 <= layers; layer += 4)
@@ -105,8 +105,8 @@ inline void ray_source(const SweepView& grid, const OpticsView& optics, const Ra
   const float* azimuths =
       ray.azimuth_factor +
       static_cast<std::size_t>(end) * static_cast<std::size_t>(ray.pairs * grid.azimuthal_orders);
-  const float* factor =
-      optics.source_factor + grid.layer_of_sublayer[part.sublayer] * grid.degrees * kLaneCount<V>;
+  const float* factor = optics.sweep_layers.source_factor +
+                        grid.layer_of_sublayer[part.sublayer] * grid.degrees * kLaneCount<V>;
 
   bool wanted[128] = {};
   for (int pair = 0; pair < ray.pairs; ++pair)
@@ -146,8 +146,8 @@ inline V single_scattering(const SweepView& grid, const OpticsView& optics, cons
   V far_attenuation{};
   for (int part = ray.first_lit[pair]; part < ray.first_lit[pair + 1]; ++part) {
     const LitPart& lit = ray.lit[part];
-    const int layer = grid.layer_of_sublayer[ray.segment[lit.segment].sublayer];
-    const V beta = load<V>(optics.extinction_per_km + layer * kLaneCount<V>);
+    const int layer = ray.segment[lit.segment].layer;
+    const V beta = load<V>(optics.layers.extinction_per_km + layer * kLaneCount<V>);
     V scattering{};
     for (int s = 0; s < optics.scatterers; ++s)
       scattering += load<V>(optics.scattering_per_km + (s * grid.layers + layer) * kLaneCount<V>) *
@@ -177,8 +177,8 @@ inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const
   V* depth = scratch.depth.data();
   depth[0] = V{};
   for (int segment = 0; segment < ray.segments; ++segment) {
-    const int layer = grid.layer_of_sublayer[ray.segment[segment].sublayer];
-    depth[segment + 1] = depth[segment] + load<V>(optics.extinction_per_km + layer * kLaneCount<V>) *
+    const int layer = ray.segment[segment].layer;
+    depth[segment + 1] = depth[segment] + load<V>(optics.layers.extinction_per_km + layer * kLaneCount<V>) *
                                               ray.segment[segment].length_km;
   }
   for (int pair = 0; pair < ray.pairs; ++pair)
@@ -188,6 +188,8 @@ inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const
   V* far_source = scratch.far_source.data();
   int known_layer = -1;
   for (int segment = 0; segment < ray.segments; ++segment) {
+    // The source changes only from one layer of the sweep to the next; within one, the far end of a segment
+    // is the near end of the next.
     const int layer = grid.layer_of_sublayer[ray.segment[segment].sublayer];
     if (layer == known_layer) {
       V* const swap = near_source;

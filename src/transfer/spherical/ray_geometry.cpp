@@ -22,7 +22,7 @@ RayGeometry::RayGeometry(const Discretisation& grid, double observer_km, double 
 /// Points where the ray crosses sublayer boundaries, with long steps split, from the observer to the top of
 /// the atmosphere or to the ground.
 std::vector<RayPoint> RayGeometry::trace(const Discretisation& grid, double observer_km, double cos_view) {
-  const ShellGeometry& shells = grid.sublayers;
+  const ShellGeometry& shells = grid.ray_steps;
   const double radius = shells.planet_radius_km() + observer_km;
   const double along = radius * cos_view;  // distance from the closest point, negative while descending
   // Distance between the closest point and altitude h; -1 if the ray does not reach down to it.
@@ -80,13 +80,15 @@ void RayGeometry::add_segments(const Discretisation& grid, const std::vector<Ray
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const RayPoint& near = points[i];
     const RayPoint& far = points[i + 1];
-    const int sublayer = shells.layer_of(0.5 * (near.altitude_km + far.altitude_km));
+    const double middle_km = 0.5 * (near.altitude_km + far.altitude_km);
+    const int sublayer = shells.layer_of(middle_km);
     const double lower = shells.level_km(sublayer);
     const double thickness = shells.level_km(sublayer + 1) - lower;
     const auto fraction = [&](double altitude) {
       return static_cast<float>(std::clamp((altitude - lower) / thickness, 0.0, 1.0));
     };
-    segment_.push_back({sublayer, static_cast<float>(far.distance_km - near.distance_km),
+    const int layer = grid.layers.layer_of(middle_km);
+    segment_.push_back({sublayer, layer, static_cast<float>(far.distance_km - near.distance_km),
                         fraction(near.altitude_km), fraction(far.altitude_km)});
     for (const RayPoint* end : {&near, &far})
       for (int m = 0; m < angles.azimuthal_orders(); ++m)

@@ -59,6 +59,9 @@ SweepTables::SweepTables(const Discretisation& grid) {
   view_.beam_moment = beam_moment_.data();
   view_.sun_cosine = sun_cosine_.data();
   view_.beam_path_km = beam_path_km_.data();
+  view_.first_piece = grid.beam.first_piece().data();
+  view_.piece_layer = grid.beam.piece_layer().data();
+  view_.piece_thickness_km = grid.beam.piece_thickness_km().data();
 }
 
 }  // namespace skylut::transfer

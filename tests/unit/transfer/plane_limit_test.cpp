@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sky_cases.hpp"
+#include "skylut/core/constants.hpp"
+#include "skylut/transfer/plane_parallel.hpp"
+
+namespace skylut {
+namespace {
+
+const std::vector<RelativeView> kViews = {{0.0, 0.0},     {30.0, 0.0},  {30.0, 120.0}, {60.0, 60.0},
+                                          {80.0, 180.0},  {85.0, 30.0}, {95.0, 90.0},  {110.0, 0.0},
+                                          {140.0, 150.0}, {180.0, 0.0}};
+const std::vector<double> kSuns_deg = {0.0, 45.0, 65.0, 80.0};
+const std::vector<double> kObservers_km = {0.0, 3.0, 12.0, 100.0};
+
+/// Optical depth above a level of test::kLevels_km.
+double depth_above(const OpticalColumn& column, double altitude_km) {
+  double depth = 0.0;
+  for (std::size_t layer = column.extinction_depth.size();
+       layer-- > 0 && test::kLevels_km[layer] >= altitude_km;)
+    depth += column.extinction_depth[layer];
+  return depth;
+}
+
+/// Compares with the plane-parallel solver, which is good to 1e-5 (its own tests).
+void expect_plane(const test::Air& air, double relative) {
+  const OpticalColumn column = test::column_of(air);
+  const SkyRadiance sky = test::solve(test::huge_planet(), column, {kObservers_km, kSuns_deg, kViews});
+  double worst = 0.0;
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t o = 0; o < kObservers_km.size(); ++o)
+    for (std::size_t s = 0; s < kSuns_deg.size(); ++s)
+      for (std::size_t v = 0; v < kViews.size(); ++v) {
+        if (kObservers_km[o] == 0.0 && kViews[v].zenith_deg > 90.0) continue;
+        if (kObservers_km[o] == 100.0 && kViews[v].zenith_deg < 90.0) continue;
+        PlaneParallelRequest asked;
+        asked.cos_sun_zenith = std::cos(kSuns_deg[s] * kRadiansPerDegree);
+        asked.output_depths = {depth_above(column, kObservers_km[o])};
+        asked.cos_views = {-std::cos(kViews[v].zenith_deg * kRadiansPerDegree)};
+        asked.relative_azimuths_rad = {kViews[v].relative_azimuth_deg * kRadiansPerDegree};
+        const double expected = solve_plane_parallel(column, asked).radiance[0];
+        const double error = sky.at(0, o, s, v) / expected - 1.0;
+        EXPECT_NEAR(error, 0.0, relative) << kObservers_km[o] << " km, sun " << kSuns_deg[s] << ", view "
+                                          << kViews[v].zenith_deg << " " << kViews[v].relative_azimuth_deg;
+        worst = std::max(worst, std::abs(error));
+        sum += error * error;
+        ++count;
+      }
+  testing::Test::RecordProperty("worst_percent", std::to_string(100.0 * worst));
+  testing::Test::RecordProperty("rms_percent", std::to_string(100.0 * std::sqrt(sum / count)));
+}
+
+// Discretisation at default quality: 0.1 % for a Rayleigh sky, 0.3 % with a forward peak (the cut-off share
+// of the peak is up to 1.5 % of the scattering).
+TEST(PlaneLimit, Rayleigh) { expect_plane({.rayleigh_depth = 0.1, .ground_albedo = 0.0}, 1e-3); }
+TEST(PlaneLimit, BlueRayleighOverSnow) {
+  expect_plane({.rayleigh_depth = 0.4, .absorption_depth = 0.05, .ground_albedo = 0.9}, 1e-3);
+}
+TEST(PlaneLimit, Haze) {
+  expect_plane(
+      {.rayleigh_depth = 0.1, .haze_depth = 0.3, .haze_scattering_albedo = 0.93, .ground_albedo = 0.2}, 3e-3);
+}
+TEST(PlaneLimit, ThickHaze) {
+  expect_plane(
+      {.rayleigh_depth = 0.1, .haze_depth = 1.0, .haze_scattering_albedo = 0.95, .ground_albedo = 0.1}, 3e-3);
+}
+
+// Reflection function of plane air: I(μ0 → μ, φ)/μ0 is symmetric in μ0 and μ (van de Hulst 1980, §3.1). The
+// solver treats sun and view in entirely different ways.
+TEST(PlaneLimit, ReflectionIsReciprocal) {
+  const double angles_deg[] = {0.0, 25.0, 50.0, 70.0, 80.0};
+  for (const test::Air& air :
+       {test::Air{.rayleigh_depth = 0.3, .ground_albedo = 0.2},
+        test::Air{
+            .rayleigh_depth = 0.1, .haze_depth = 0.5, .haze_scattering_albedo = 0.9, .ground_albedo = 0.1},
+        test::Air{.rayleigh_depth = 0.05, .haze_depth = 2.0, .haze_asymmetry = 0.8}}) {
+    SkyRequest request{{100.0}, {}, {}};
+    for (const double angle : angles_deg) {
+      request.sun_zeniths_deg.push_back(angle);
+      request.views.push_back({180.0 - angle, 60.0});
+    }
+    const SkyRadiance sky = test::solve(test::huge_planet(), test::column_of(air), request);
+    const auto reflection = [&](std::size_t sun, std::size_t view) {
+      return sky.at(0, 0, sun, view) / std::cos(angles_deg[sun] * kRadiansPerDegree);
+    };
+    for (std::size_t a = 0; a < std::size(angles_deg); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        EXPECT_NEAR(reflection(a, b) / reflection(b, a), 1.0, 3e-3)
+            << air.haze_depth << ": " << angles_deg[a] << " " << angles_deg[b];
+  }
+}
+
+}  // namespace
+}  // namespace skylut

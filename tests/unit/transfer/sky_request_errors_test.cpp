@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "sky_cases.hpp"
+#include "skylut/core/errors.hpp"
+
+namespace skylut {
+namespace {
+
+const double kNan = std::nan("");
+
+/// A small request that is right; every test spoils one thing.
+struct Question {
+  Shells shells{{0.0, 2.0, 10.0}, 6371.0};
+  OpticalColumn column{{0.1, 0.1}, {{std::make_shared<const RayleighPhaseFunction>(), {0.1, 0.05}}}, 0.2};
+  SkyRequest request{{1.0}, {30.0}, {{60.0, 90.0}}};
+};
+
+/// The refusal must name the wrong value and say what is right, in one line.
+void expect_refused(const Question& question, const std::string& value, const std::string& rule) {
+  try {
+    test::solve(question.shells, question.column, question.request);
+    ADD_FAILURE() << "not refused: " << value << ", " << rule;
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(value), std::string::npos) << message;
+    EXPECT_NE(message.find(rule), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
+template <class Spoil>
+Question spoiled(const Spoil& spoil) {
+  Question question;
+  spoil(question);
+  return question;
+}
+
+TEST(SkyRequestErrors, TheRequestItselfIsRight) {
+  const Question question;
+  EXPECT_NO_THROW(test::solve(question.shells, question.column, question.request));
+}
+
+TEST(SkyRequestErrors, Observers) {
+  for (const auto& [altitude, text] :
+       {std::pair{10.5, "10.5"}, {-0.1, "-0.1"}, {kNan, "nan"}, {INFINITY, "inf"}})
+    expect_refused(spoiled([&](Question& q) {
+                     q.request.observer_altitudes_km = {1.0, altitude};
+                   }),
+                   text, "0-10 km");
+}
+
+TEST(SkyRequestErrors, Suns) {
+  for (const auto& [sun, text] : {std::pair{97.0, "97"}, {-1.0, "-1"}, {kNan, "nan"}})
+    expect_refused(spoiled([&](Question& q) { q.request.sun_zeniths_deg = {30.0, sun}; }), text, "0-96");
+}
+
+TEST(SkyRequestErrors, Views) {
+  for (const auto& [zenith, text] : {std::pair{181.0, "181"}, {-5.0, "-5"}, {kNan, "nan"}})
+    expect_refused(spoiled([&](Question& q) { q.request.views.push_back({zenith, 0.0}); }), text, "0-180");
+  for (const auto& [azimuth, text] : {std::pair{270.0, "270"}, {-5.0, "-5"}, {kNan, "nan"}})
+    expect_refused(spoiled([&](Question& q) { q.request.views.push_back({0.0, azimuth}); }), text, "0-180");
+}
+
+TEST(SkyRequestErrors, Levels) {
+  expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0, 10.0, 2.0}; }), "2 after 10", "ascend");
+  expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0, 2.0, 2.0}; }), "2 after 2", "ascend");
+  expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0, 2.0, kNan}; }), "nan", "ascend");
+  expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0, 2.0, INFINITY}; }), "inf", "ascend");
+  expect_refused(spoiled([](Question& q) {
+                   q.shells.levels_km = {1.0, 2.0, 3.0};
+                 }),
+                 "levels_km", "the first at 0");
+  expect_refused(spoiled([](Question& q) { q.shells.levels_km = {0.0}; }), "levels_km", "at least two");
+  expect_refused(spoiled([](Question& q) { q.shells.levels_km = {}; }), "levels_km", "at least two");
+  expect_refused(spoiled([](Question& q) {
+                   for (double level = 11.0; level < 1000.0; level += 1.0)
+                     q.shells.levels_km.push_back(level);
+                 }),
+                 "992", "at most");
+}
+
+TEST(SkyRequestErrors, Planets) {
+  for (const auto& [radius, text] :
+       {std::pair{99.0, "99"}, {-6371.0, "-6371"}, {kNan, "nan"}, {INFINITY, "inf"}})
+    expect_refused(spoiled([&](Question& q) { q.shells.planet_radius_km = radius; }), text, "at least 100");
+}
+
+TEST(SkyRequestErrors, Layers) {
+  expect_refused(spoiled([](Question& q) { q.column.extinction_depth.push_back(0.1); }), "3 layers",
+                 "give 2");
+  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth.pop_back(); }), "1 layers",
+                 "give 2");
+  expect_refused(spoiled([](Question& q) { q.column.extinction_depth[1] = kNan; }), "nan", "layer 1");
+  expect_refused(spoiled([](Question& q) { q.column.extinction_depth[1] = INFINITY; }), "inf", "layer 1");
+  expect_refused(spoiled([](Question& q) { q.column.extinction_depth[0] = 0.05; }), "0.05",
+                 "at least the scattering's, 0.1");
+  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth[0] = -0.05; }), "-0.05",
+                 ">= 0");
+  expect_refused(spoiled([](Question& q) { q.column.scatterers[0].scattering_depth[1] = kNan; }), "nan",
+                 ">= 0");
+}
+
+TEST(SkyRequestErrors, GroundAlbedo) {
+  for (const auto& [albedo, text] : {std::pair{1.1, "1.1"}, {-0.1, "-0.1"}, {kNan, "nan"}})
+    expect_refused(spoiled([&](Question& q) { q.column.ground_albedo = albedo; }), text, "0-1");
+}
+
+}  // namespace
+}  // namespace skylut
