@@ -150,6 +150,15 @@ class Polisher {
     solver.gradient_tolerance = 1e-15;
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem_, &summary);
+    // At a bound Ceres cuts every step short: go on along the bound.
+    std::vector<int> bound;
+    if (at_[1] <= options_.B_lower || at_[1] >= options_.B_upper) bound.push_back(1);
+    if (at_[2] <= options_.D_lower || at_[2] >= options_.D_upper) bound.push_back(2);
+    if (!bound.empty()) {
+      problem_.SetManifold(at_.data(), new ceres::SubsetManifold(3, bound));
+      ceres::Solve(solver, &problem_, &summary);
+      problem_.SetManifold(at_.data(), nullptr);
+    }
     Polished result;
     if (!summary.IsSolutionUsable()) return result;
     std::vector<double> residual(static_cast<std::size_t>(cost_.num_residuals()));

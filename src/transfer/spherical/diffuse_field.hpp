@@ -11,15 +11,15 @@
 
 namespace skylut::transfer {
 
-/// Aligned array of lane registers, zero when made.
+/// Aligned array of lane registers (or structs of them), zero when made.
 template <class V>
 class LaneArray {
  public:
   explicit LaneArray(std::size_t size)
-      : data_(static_cast<V*>(::operator new (size * sizeof(V), std::align_val_t{sizeof(V)}))), size_(size) {
+      : data_(static_cast<V*>(::operator new (size * sizeof(V), std::align_val_t{alignof(V)}))), size_(size) {
     fill(V{});
   }
-  ~LaneArray() { ::operator delete (data_, std::align_val_t{sizeof(V)}); }
+  ~LaneArray() { ::operator delete (data_, std::align_val_t{alignof(V)}); }
   LaneArray(LaneArray&& from) noexcept : data_(from.data_), size_(from.size_) { from.data_ = nullptr; }
   LaneArray(const LaneArray&) = delete;
   LaneArray& operator=(const LaneArray&) = delete;
@@ -65,6 +65,7 @@ class DiffuseField {
         watched_(count(grid.sublayers + 1, kWatched)),
         mean_change_(count(grid.sublayers + 1, 1)),
         last_change_(count(1, 1)),
+        step_weights_(static_cast<std::size_t>(grid.polar_nodes)),
         scaled_moments_(static_cast<std::size_t>(grid.moments)),
         orders_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {
     source_half_[kDown] = half_[kDown].data();
@@ -121,6 +122,7 @@ class DiffuseField {
   LaneArray<V> watched_;      // M_00, M_10, M_20 after the last iteration [level][node][kWatched]
   LaneArray<V> mean_change_;  // last change of M_00 [level][node]
   LaneArray<V> last_change_;  // summed over the column [node]
+  LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
   LaneArray<V> scaled_moments_;
   LaneArray<V> orders_;
 };
@@ -251,19 +253,19 @@ void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, 
   const int azimuths = grid_.azimuth_nodes;
   const V beta = extinction(grid_.layer_of_sublayer[sublayer]);
   const PolarStep* steps = grid_.polar_step[half] + sublayer * grid_.polar_nodes;
+  int chord_count = 0;
+  for (int j = 0; j < grid_.polar_nodes; ++j) {
+    step_weights_.data()[j] = step_weights(beta * steps[j].length_km);
+    if (steps[j].chord) chord_count = j + 1;
+  }
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* start_source = local_source_.data() + node * directions();
     source(half, sublayer, start_level, node, grid_.polar_nodes, start_source);
     const V* radiance = radiance_.data() + node * directions();
     V* upwind = upwind_.data() + node * directions();
-    int chord_count = 0;
-    for (int j = 0; j < grid_.polar_nodes; ++j) {
-      if (steps[j].chord) {
-        chord_count = j + 1;
-        continue;
-      }
-      const StepWeights<V> weights = step_weights(beta * steps[j].length_km);
+    for (int j = chord_count; j < grid_.polar_nodes; ++j) {
+      const StepWeights<V>& weights = step_weights_.data()[j];
       const Taps& taps = steps[j].upwind;
       V transmitted[4];
       V emitted[4];
@@ -280,18 +282,15 @@ void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, 
         upwind[j * azimuths + k] = sum;
       }
     }
-    if (chord_count > 0) {
-      // The ray entered downwards through the level where it leaves.
-      source(kDown, sublayer, end_level, node, chord_count, start_source);
-      const V* entered = chords_.data() + static_cast<std::size_t>(end_level * grid_.sun_nodes + node) *
-                                              static_cast<std::size_t>(grid_.chord_nodes * azimuths);
-      for (int j = 0; j < chord_count; ++j) {
-        const StepWeights<V> weights = step_weights(beta * steps[j].length_km);
-        for (int k = 0; k < azimuths; ++k)
-          upwind[j * azimuths + k] = weights.transmission * entered[j * azimuths + k] +
-                                     weights.upwind * start_source[j * azimuths + k];
-      }
-    }
+    if (chord_count == 0) continue;
+    // A chord entered downwards through the level where it leaves.
+    source(kDown, sublayer, end_level, node, chord_count, start_source);
+    const V* entered = chords_.data() + static_cast<std::size_t>(end_level * grid_.sun_nodes + node) *
+                                            static_cast<std::size_t>(grid_.chord_nodes * azimuths);
+    for (int j = 0; j < chord_count; ++j)
+      for (int d = j * azimuths; d < (j + 1) * azimuths; ++d)
+        upwind[d] = step_weights_.data()[j].transmission * entered[d] +
+                    step_weights_.data()[j].upwind * start_source[d];
   }
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
@@ -301,7 +300,7 @@ void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, 
     const SunTaps* taps = grid_.sun_taps[half] + static_cast<std::size_t>(sublayer * grid_.sun_nodes + node) *
                                                      static_cast<std::size_t>(directions());
     for (int j = 0; j < grid_.polar_nodes; ++j) {
-      const V local = step_weights(beta * steps[j].length_km).local;
+      const V local = step_weights_.data()[j].local;
       for (int d = j * azimuths; d < (j + 1) * azimuths; ++d) {
         const V* from = upwind_.data() + taps[d].first * directions() + d;
         V sum = local * end_source[d];
