@@ -1,0 +1,1 @@
+"""Measurements behind docs/validation.md: one module per section, run by tools/validate."""
