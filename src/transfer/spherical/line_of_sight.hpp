@@ -201,7 +201,11 @@ inline void line_of_sight(const SweepView& grid, const OpticsView& optics, const
     ray_source(grid, optics, ray, field, segment, true, scratch.source_orders.data(), far_source);
     known_layer = layer;
     const StepWeights<V> weights = step_weights(depth[segment + 1] - depth[segment]);
-    const V transmission = exp_minus(depth[segment]);
+    // The medium's own layer may absorb more or less than the merged layer that it is part of.
+    const V own_albedo =
+        load<V>(optics.layers.source_factor + ray.segment[segment].layer * grid.degrees * kLaneCount<V>);
+    const V merged_albedo = load<V>(optics.sweep_layers.source_factor + layer * grid.degrees * kLaneCount<V>);
+    const V transmission = exp_minus(depth[segment]) * own_albedo / (merged_albedo + 1e-30f);
     for (int pair = 0; pair < ray.pairs; ++pair)
       out[pair] += transmission * (weights.local * near_source[pair] + weights.upwind * far_source[pair]);
   }
