@@ -11,6 +11,7 @@
 #include "skylut/transfer/plane_parallel.hpp"
 #include "skylut/transfer/sky_radiance.hpp"
 #include "spherical/block_optics.hpp"
+#include "spherical/diffuse_ray.hpp"
 #include "spherical/discretisation.hpp"
 #include "spherical/ray_geometry.hpp"
 #include "spherical/sweep_tables.hpp"
@@ -29,8 +30,8 @@ const Air& default_air() {
 struct OneBlock {
   explicit OneBlock(benchmark::State& state)
       : column(default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)))),
-        grid(default_air().shells(), discretisation_for(default_air().shells(), column, Quality::standard),
-             Quality::standard),
+        medium(default_air().shells(), Quality::standard),
+        grid(medium, discretisation_for(medium, column)),
         tables(grid),
         lanes(static_cast<std::size_t>(best_kernel().lanes), &column),
         optics(grid, lanes, best_kernel().lanes, true) {
@@ -38,10 +39,16 @@ struct OneBlock {
   }
   std::unique_ptr<SolvedBlock> solve() const {
     return std::unique_ptr<SolvedBlock>(best_kernel().solve_block(
-        tables.view(), optics.view(), {0, 200, static_cast<float>(grid.limits.tolerance)}));
+        tables.view(), optics.view(), {0, 200, static_cast<float>(medium.limits.tolerance)}));
+  }
+
+  LocalSun local_sun(const RayGeometry& geometry, const std::vector<SunAzimuth>& pairs) const {
+    return {medium.shells.planet_radius_km, geometry.start(), pairs, medium.sun_interpolation,
+            grid.angles.azimuthal_orders()};
   }
 
   OpticalColumn column;
+  Medium medium;
   Discretisation grid;
   SweepTables tables;
   std::vector<const OpticalColumn*> lanes;
@@ -50,10 +57,10 @@ struct OneBlock {
 
 void shared_geometry(benchmark::State& state) {
   const OpticalColumn column = default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)));
-  const DiscretisationKey key = discretisation_for(default_air().shells(), column, Quality::standard);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(
-        std::make_unique<Discretisation>(default_air().shells(), key, Quality::standard));
+  for (auto _ : state) {
+    const Medium medium(default_air().shells(), Quality::standard);
+    benchmark::DoNotOptimize(std::make_unique<Discretisation>(medium, discretisation_for(medium, column)));
+  }
 }
 BENCHMARK(shared_geometry)->Arg(0)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);
 
@@ -72,7 +79,11 @@ std::vector<SunAzimuth> ring_under_low_sun() {
 void ray_geometry_of_a_ring(benchmark::State& state) {
   const OneBlock block(state);
   const std::vector<SunAzimuth> pairs = ring_under_low_sun();
-  for (auto _ : state) benchmark::DoNotOptimize(RayGeometry(block.grid, 0.0, 80.0, pairs));
+  for (auto _ : state) {
+    const RayGeometry geometry(block.medium, 0.0, 80.0, pairs);
+    LocalSun local_sun = block.local_sun(geometry, pairs);
+    benchmark::DoNotOptimize(DiffuseRay(block.grid, 0.0, 80.0, local_sun));
+  }
 }
 BENCHMARK(ray_geometry_of_a_ring)->Arg(50)->Unit(benchmark::kMicrosecond);
 
@@ -80,12 +91,13 @@ void lines_of_sight_of_a_ring(benchmark::State& state) {
   const OneBlock block(state);
   const auto field = block.solve();
   const std::vector<SunAzimuth> pairs = ring_under_low_sun();
-  const RayGeometry geometry(block.grid, 0.0, 80.0, pairs);
-  const RayView ray = geometry.view(block.grid);
+  const RayGeometry geometry(block.medium, 0.0, 80.0, pairs);
+  LocalSun local_sun = block.local_sun(geometry, pairs);
+  const DiffuseRay diffuse(block.grid, 0.0, 80.0, local_sun);
   const std::vector<float> phase = geometry.phases(block.optics);
   std::vector<float> radiance(pairs.size() * block.lanes.size());
   for (auto _ : state) {
-    field->line_of_sight(ray, phase.data(), radiance.data());
+    field->line_of_sight(geometry.view(), diffuse.view(), phase.data(), radiance.data());
     benchmark::DoNotOptimize(radiance.data());
   }
 }

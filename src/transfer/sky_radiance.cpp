@@ -7,6 +7,7 @@
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
 #include "spherical/block_optics.hpp"
+#include "spherical/diffuse_ray.hpp"
 #include "spherical/discretisation.hpp"
 #include "spherical/kernel_problem.hpp"
 #include "spherical/ray_geometry.hpp"
@@ -31,8 +32,7 @@ struct Group {
   SweepTables tables;
   std::vector<std::size_t> columns;
 
-  Group(const Shells& shells, const DiscretisationKey& key, Quality quality)
-      : grid(shells, key, quality), tables(grid) {}
+  Group(const Medium& medium, const DiscretisationKey& key) : grid(medium, key), tables(grid) {}
 };
 
 /// As many columns of a group as the kernel has lanes.
@@ -51,17 +51,17 @@ struct Block {
 };
 
 /// Groups in order of first appearance.
-std::vector<std::unique_ptr<Group>> group_columns(const Shells& shells,
-                                                  std::span<const OpticalColumn> columns, Quality quality) {
+std::vector<std::unique_ptr<Group>> group_columns(const Medium& medium,
+                                                  std::span<const OpticalColumn> columns) {
   std::vector<DiscretisationKey> keys;
   std::vector<std::unique_ptr<Group>> groups;
   for (std::size_t column = 0; column < columns.size(); ++column) {
-    const DiscretisationKey key = discretisation_for(shells, columns[column], quality);
+    const DiscretisationKey key = discretisation_for(medium, columns[column]);
     const auto known = std::find(keys.begin(), keys.end(), key);
     const auto at = static_cast<std::size_t>(known - keys.begin());
     if (known == keys.end()) {
       keys.push_back(key);
-      groups.push_back(std::make_unique<Group>(shells, key, quality));
+      groups.push_back(std::make_unique<Group>(medium, key));
     }
     groups[at]->columns.push_back(column);
   }
@@ -84,28 +84,10 @@ void solve_field(Block& block, std::span<const OpticalColumn> columns, const Ker
   for (const std::size_t column : block.columns) lanes.push_back(&columns[column]);
   block.optics = std::make_unique<BlockOptics>(block.group->grid, lanes, kernel.lanes, orders == 0);
   const IterationLimits limits{orders, kMostIterations,
-                               static_cast<float>(block.group->grid.limits.tolerance)};
+                               static_cast<float>(block.group->grid.medium.limits.tolerance)};
   block.field.reset(kernel.solve_block(block.group->tables.view(), block.optics->view(), limits));
   if (!block.field)
     throw WorkError("orders of scattering did not converge in {} iterations", kMostIterations);
-}
-
-/// Radiances of one line of sight for all blocks of one group.
-void answer_ray(const WantedRay& ray, std::span<const Block> blocks, const SkyRequest& request,
-                SkyRadiance& result) {
-  const Discretisation& grid = blocks.front().group->grid;
-  const std::vector<SunAzimuth> pairs = ray.pairs(request);
-  const RayGeometry geometry(grid, request.observer_altitudes_km[ray.observer], ray.view_zenith_deg, pairs);
-  const RayView view = geometry.view(grid);
-  for (const Block& block : blocks) {
-    const auto lanes = static_cast<std::size_t>(block.optics->lanes);
-    std::vector<float> radiance(pairs.size() * lanes);
-    block.field->line_of_sight(view, geometry.phases(*block.optics).data(), radiance.data());
-    for (std::size_t pair = 0; pair < pairs.size(); ++pair)
-      for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
-        result.at(block.columns[lane], ray.observer, pair / ray.views.size(),
-                  ray.views[pair % ray.views.size()]) = radiance[pair * lanes + lane];
-  }
 }
 
 /// Runs of blocks that belong to one group.
@@ -118,6 +100,34 @@ std::vector<std::span<const Block>> by_group(std::span<const Block> blocks) {
   return runs;
 }
 
+/// Radiances of one line of sight for all blocks.
+void answer_ray(const Medium& medium, const WantedRay& ray, std::span<const Block> blocks,
+                const SkyRequest& request, SkyRadiance& result) {
+  const double observer_km = request.observer_altitudes_km[ray.observer];
+  const std::vector<SunAzimuth> pairs = ray.pairs(request);
+  const RayGeometry geometry(medium, observer_km, ray.view_zenith_deg, pairs);
+  const auto runs = by_group(blocks);
+  int orders = 0;
+  for (const std::span<const Block> run : runs)
+    orders = std::max(orders, run.front().group->grid.angles.azimuthal_orders());
+  LocalSun local_sun(medium.shells.planet_radius_km, geometry.start(), pairs, medium.sun_interpolation,
+                     orders);
+  std::vector<float> radiance;
+  for (const std::span<const Block> run : runs) {
+    const DiffuseRay diffuse(run.front().group->grid, observer_km, ray.view_zenith_deg, local_sun);
+    for (const Block& block : run) {
+      const auto lanes = static_cast<std::size_t>(block.optics->lanes);
+      radiance.resize(pairs.size() * lanes);
+      block.field->line_of_sight(geometry.view(), diffuse.view(), geometry.phases(*block.optics).data(),
+                                 radiance.data());
+      for (std::size_t pair = 0; pair < pairs.size(); ++pair)
+        for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
+          result.at(block.columns[lane], ray.observer, pair / ray.views.size(),
+                    ray.views[pair % ray.views.size()]) = radiance[pair * lanes + lane];
+    }
+  }
+}
+
 }  // namespace
 
 SkyRadiance solve_sky_radiance(const Shells& shells, std::span<const OpticalColumn> columns,
@@ -128,7 +138,8 @@ SkyRadiance solve_sky_radiance(const Shells& shells, std::span<const OpticalColu
 
   // 1. Columns that want the same grids share their geometry; blocks of them share a SIMD register.
   const Kernel& kernel = best_kernel();
-  const auto groups = group_columns(shells, columns, options.quality);
+  const Medium medium(shells, options.quality);
+  const auto groups = group_columns(medium, columns);
   std::vector<Block> blocks = fill_blocks(groups, kernel.lanes);
   const std::vector<WantedRay> rays = wanted_rays(request);
 
@@ -154,11 +165,9 @@ SkyRadiance solve_sky_radiance(const Shells& shells, std::span<const OpticalColu
     });
 
     // 3. Lines of sight through it, with the sun's single scattering exactly.
-    const auto runs = by_group(batch);
-    parallel_for(runs.size() * rays.size(), options.threads, [&](std::size_t index) {
-      const std::span<const Block> run = runs[index % runs.size()];
-      answer_ray(rays[index / runs.size()], run, request, result);
-      report(run.size());
+    parallel_for(rays.size(), options.threads, [&](std::size_t index) {
+      answer_ray(medium, rays[index], batch, request, result);
+      report(batch.size());
     });
     for (Block& block : batch) block.field.reset();
   }

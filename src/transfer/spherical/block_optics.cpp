@@ -48,19 +48,20 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
   for (const OpticalColumn* one : column)
     scatterers = std::max(scatterers, static_cast<int>(one->scatterers.size()));
 
-  const Shells& shells = grid.shells;
+  const Shells& shells = grid.medium.shells;
   const auto width = static_cast<std::size_t>(lanes);
   const std::size_t layer_count = shells.levels_km.size() - 1;
   const auto degrees = static_cast<std::size_t>(grid.angles.resolution().max_l + 1);
   layers = zero_layers(shells, degrees, width);
-  sweep_layers = zero_layers(grid.merge.shells(), degrees, width);
+  sweep_layers = zero_layers(grid.medium.merge.shells(), degrees, width);
   scattering_per_km.resize(static_cast<std::size_t>(scatterers) * layer_count * width);
 
   for (std::size_t lane = 0; lane < width; ++lane) {
     const OpticalColumn& one = *column[lane];
     ground_albedo.push_back(static_cast<float>(one.ground_albedo));
     scale_column(shells, one, degrees, delta_m, lane, width, layers);
-    scale_column(grid.merge.shells(), grid.merge.column(one), degrees, delta_m, lane, width, sweep_layers);
+    scale_column(grid.medium.merge.shells(), grid.medium.merge.column(one), degrees, delta_m, lane, width,
+                 sweep_layers);
     for (std::size_t s = 0; s < one.scatterers.size(); ++s)
       for (std::size_t layer = 0; layer < layer_count; ++layer)
         scattering_per_km[(s * layer_count + layer) * width + lane] =

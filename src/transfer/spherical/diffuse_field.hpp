@@ -3,6 +3,7 @@
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
+#include "sun_depth.hpp"
 
 // Multiple scattering of one block of lanes: successive orders on short characteristics, with the moments
 // of the diffuse radiance as the only unknowns. Reading order: solve, sweep_down, sweep_up, then what
@@ -13,9 +14,10 @@ namespace skylut::transfer {
 template <class V>
 class DiffuseField {
  public:
-  DiffuseField(const SweepView& grid, const OpticsView& optics)
+  DiffuseField(const SweepView& grid, const OpticsView& optics, const SunDepth<V>& sun_depth)
       : grid_(grid),
         optics_(optics),
+        sun_depth_(sun_depth),
         half_{LaneArray<V>(count(grid.sublayers + 1, grid.moments)),
               LaneArray<V>(count(grid.sublayers + 1, grid.moments))},
         beam_gain_(count(grid.sublayers, 1)),
@@ -73,6 +75,7 @@ class DiffuseField {
 
   const SweepView& grid_;
   const OpticsView& optics_;
+  const SunDepth<V>& sun_depth_;
   const V* source_half_[2];    // the moments that make the source: half_, or those of one order less
   LaneArray<V> half_[2];       // moments of each hemisphere [level][node][moment]
   LaneArray<V> beam_gain_;     // see attenuate_beam [sublayer][node]
@@ -127,12 +130,8 @@ bool DiffuseField<V>::solve(const IterationLimits& limits) {
 
 template <class V>
 V DiffuseField<V>::beam_transmission(int point, int node) const {
-  const float* path = grid_.beam_path_km[point * grid_.sun_nodes + node];
-  if (path == nullptr) return V{};
-  V depth{};
-  for (int layer = 0; layer < grid_.layers; ++layer)
-    depth += load<V>(optics_.layers.extinction_per_km + layer * kLaneCount<V>) * path[layer];
-  return exp_minus(depth);
+  const SunDepthTaps& taps = grid_.beam_taps[point * grid_.sun_nodes + node];
+  return taps.rising == kShadow ? V{} : exp_minus(sun_depth_(taps));
 }
 
 /// Transmission of the sunbeam at every level, and the factor that makes the mean of its two ends the mean
@@ -260,8 +259,8 @@ void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, 
     V* end_source = local_source_.data() + node * directions();
     source(half, sublayer, end_level, node, grid_.polar_nodes, end_source);
     V* radiance = radiance_.data() + node * directions();
-    const SunTaps* taps = grid_.sun_taps[half] + static_cast<std::size_t>(sublayer * grid_.sun_nodes + node) *
-                                                     static_cast<std::size_t>(directions());
+    const Taps* taps = grid_.sun_taps[half] + static_cast<std::size_t>(sublayer * grid_.sun_nodes + node) *
+                                                  static_cast<std::size_t>(directions());
     for (int j = 0; j < grid_.polar_nodes; ++j) {
       const V local = step_weights_.data()[j].local;
       for (int d = j * azimuths; d < (j + 1) * azimuths; ++d) {

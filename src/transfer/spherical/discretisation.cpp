@@ -79,20 +79,6 @@ std::vector<int> common_parts(const Shells& shells, const std::vector<double>& d
   }
 }
 
-/// Local solar zenith angles that carry the diffuse field: dense at the terminator, where it changes by
-/// orders of magnitude, and beyond the largest sun by what a horizontal ray can cover (√(2·100/6371) = 10°).
-std::vector<double> sun_nodes(bool dense) {
-  if (!dense)
-    return {0,  10,   20, 30,   40, 50,   58, 65, 70, 74,    77,   80,    82, 84, 85.5, 87, 88,
-            89, 89.5, 90, 90.5, 91, 91.5, 92, 93, 94, 94.75, 95.5, 96.25, 97, 99, 101,  104};
-  std::vector<double> nodes;
-  for (double node = 0.0; node < 70.0; node += 5.0) nodes.push_back(node);
-  for (double node = 70.0; node < 84.0; node += 1.0) nodes.push_back(node);
-  for (double node = 84.0; node < 98.0; node += 0.5) nodes.push_back(node);
-  for (double node = 98.0; node <= 107.0; node += 1.0) nodes.push_back(node);
-  return nodes;
-}
-
 /// Share χ_l of a layer's scattering that degree l still carries, at most over the layers that matter.
 double largest_moment(const OpticalColumn& column, int l) {
   double total = 0.0;
@@ -128,38 +114,24 @@ AngularResolution angles_for(const OpticalColumn& column, const QualityLimits& l
 
 }  // namespace
 
-QualityLimits limits_of(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return {0.2, 0.03, 0.6, 8, false, true, 20.0, 2.0, 3e-3};
-    case Quality::standard:
-      return {0.04, 0.015, 0.7, 10, false, true, 10.0, 0.25, 1e-3};
-    case Quality::reference:
-      return {0.02, 0.006, 0.9, 16, true, false, 5.0, 0.125, 1e-4};
-  }
-  return limits_of(Quality::standard);
-}
-
-DiscretisationKey discretisation_for(const Shells& shells, const OpticalColumn& column, Quality quality) {
-  const QualityLimits limits = limits_of(quality);
+DiscretisationKey discretisation_for(const Medium& medium, const OpticalColumn& column) {
   DiscretisationKey key;
-  key.angles = angles_for(column, limits);
-  const LayerMerge merge(shells, !limits.merge_layers);
-  const OpticalColumn merged = merge.column(column);
+  key.angles = angles_for(column, medium.limits);
+  const OpticalColumn merged = medium.merge.column(column);
   std::vector<double> scaled_depth = merged.extinction_depth;
   for (const Scatterer& scatterer : merged.scatterers) {
     const double peak = scatterer.phase->moment(key.angles.max_l + 1);
     for (std::size_t layer = 0; layer < scaled_depth.size(); ++layer)
       scaled_depth[layer] -= scatterer.scattering_depth[layer] * peak;
   }
-  const std::vector<int> own = parts_for(scaled_depth, limits.optical_step);
-  key.sublayers = common_parts(merge.shells(), scaled_depth, own, limits.optical_step);
+  const double optical_step = medium.limits.optical_step;
+  const std::vector<int> own = parts_for(scaled_depth, optical_step);
+  key.sublayers = common_parts(medium.merge.shells(), scaled_depth, own, optical_step);
   return key;
 }
 
-BeamGeometry::BeamGeometry(const ShellGeometry& layers, const ShellGeometry& sublayers,
-                           const std::vector<double>& sun_nodes_deg)
-    : nodes_(static_cast<int>(sun_nodes_deg.size())), layers_(static_cast<std::size_t>(layers.layers())) {
+BeamGeometry::BeamGeometry(const Medium& medium, const ShellGeometry& sublayers) {
+  const ShellGeometry& layers = medium.layers;
   std::vector<double> altitude_km = sublayers.levels_km();
   for (int sublayer = 0; sublayer < sublayers.layers(); ++sublayer) {
     first_piece_.push_back(static_cast<int>(piece_layer_.size()));
@@ -174,33 +146,25 @@ BeamGeometry::BeamGeometry(const ShellGeometry& layers, const ShellGeometry& sub
     }
   }
   first_piece_.push_back(static_cast<int>(piece_layer_.size()));
-
-  points_ = static_cast<int>(altitude_km.size());
-  lit_.resize(static_cast<std::size_t>(points_ * nodes_));
-  path_km_.resize(lit_.size() * layers_);
-  std::vector<double> length;
-  for (std::size_t at = 0; at < lit_.size(); ++at) {
-    const std::size_t node = at % sun_nodes_deg.size();
-    const double cosine = std::cos(sun_nodes_deg[node] * kRadiansPerDegree);
-    lit_[at] = layers.path_to_top(altitude_km[at / sun_nodes_deg.size()], cosine, length);
-    if (lit_[at])
-      std::transform(length.begin(), length.end(),
-                     path_km_.begin() + static_cast<std::ptrdiff_t>(at * layers_),
-                     [](double value) { return static_cast<float>(value); });
-  }
+  for (const double altitude : altitude_km)
+    for (const double sun_deg : medium.sun_nodes_deg)
+      taps_.push_back(medium.sun_depth.taps_towards(altitude, std::cos(sun_deg * kRadiansPerDegree)));
 }
 
-Discretisation::Discretisation(const Shells& shells_, const DiscretisationKey& key, Quality quality)
-    : limits(limits_of(quality)),
-      shells(shells_),
-      merge(shells, !limits.merge_layers),
-      layers(shells.levels_km, shells.planet_radius_km),
-      sublayers(split_levels(merge.shells(), key.sublayers), shells.planet_radius_km),
-      ray_steps(joined_levels(layers, sublayers), shells.planet_radius_km),
-      layer_of_sublayer(layers_of(merge.shells(), sublayers)),
+Discretisation::Discretisation(const Medium& medium_, const DiscretisationKey& key)
+    : medium(medium_),
+      sublayers(split_levels(medium.merge.shells(), key.sublayers), medium.shells.planet_radius_km),
+      ray_levels(joined_levels(medium.layers, sublayers), medium.shells.planet_radius_km),
+      layer_of_sublayer(layers_of(medium.merge.shells(), sublayers)),
       angles(key.angles),
-      sun_nodes_deg(sun_nodes(limits.dense_sun_nodes)),
-      stencil(sublayers, angles, sun_nodes_deg),
-      beam(layers, sublayers, sun_nodes_deg) {}
+      stencil(sublayers, angles, medium.sun_nodes_deg),
+      beam(medium, sublayers) {}
+
+bool Discretisation::asks_field_at(double altitude_km) const {
+  const auto holds = [&](const ShellGeometry& levels) {
+    return std::binary_search(levels.levels_km().begin(), levels.levels_km().end(), altitude_km);
+  };
+  return holds(sublayers) || !holds(ray_levels);
+}
 
 }  // namespace skylut::transfer

@@ -3,27 +3,12 @@
 #include <vector>
 
 #include "angular_grid.hpp"
-#include "layer_merge.hpp"
+#include "interpolation.hpp"
+#include "medium.hpp"
 #include "shell_geometry.hpp"
-#include "skylut/transfer/sky_radiance.hpp"
 #include "sweep_stencil.hpp"
 
 namespace skylut::transfer {
-
-/// The numbers behind a quality. Measured errors and times: docs/validation.md, "Convergence".
-struct QualityLimits {
-  double optical_step;      ///< largest scaled optical depth of a sublayer
-  double truncated_peak;    ///< largest share of the scattering that delta-M may cut off as forward peak
-  double polar_per_degree;  ///< polar nodes per hemisphere, per Legendre degree
-  int least_polar_nodes;
-  bool dense_sun_nodes;  ///< every half degree at the terminator
-  bool merge_layers;     ///< thin layers are taken together in the sweep
-  double ray_step_km;    ///< longest step of a line of sight
-  double
-      sunbeam_step_km;  ///< largest change of the sunbeam's lowest altitude along a step, near the terminator
-  double tolerance;     ///< of the iteration
-};
-QualityLimits limits_of(Quality quality);
 
 /// What fixes the discretisation of a column. It follows from the column alone, never from the other
 /// columns: that is what makes results independent of the batch. Columns with equal keys share the
@@ -37,51 +22,43 @@ struct DiscretisationKey {
 
 /// Chooses the discretisation of a column: layers split until each part's scaled optical depth is below
 /// the quality's step, angles fine enough for its phase functions. [docs/validation.md, "Convergence"]
-DiscretisationKey discretisation_for(const Shells& shells, const OpticalColumn& column, Quality quality);
+DiscretisationKey discretisation_for(const Medium& medium, const OpticalColumn& column);
 
-/// Lengths of the sunbeam in the layers of the medium, at every point where the sweep needs the beam, under
-/// every sun node: at the levels, and in the middle of every piece of a sublayer that lies in one layer of
-/// the medium (a sublayer of merged layers has several).
+/// The sunbeam at every point where the sweep needs it, under every sun node: at the levels, and in the
+/// middle of every piece of a sublayer that lies in one layer of the medium (a sublayer of merged layers has
+/// several).
 class BeamGeometry {
  public:
-  BeamGeometry(const ShellGeometry& layers, const ShellGeometry& sublayers,
-               const std::vector<double>& sun_nodes_deg);
+  BeamGeometry(const Medium& medium, const ShellGeometry& sublayers);
 
-  /// Points: first the levels of the sublayers, then the pieces from the ground up.
-  int points() const { return points_; }
-  /// Path in each layer, km; null in the planet's shadow.
-  const float* path_km(int point, int node) const {
-    const auto at = static_cast<std::size_t>(point * nodes_ + node);
-    return lit_[at] ? path_km_.data() + at * layers_ : nullptr;
-  }
+  /// [point][sun node]; points: first the levels of the sublayers, then the pieces from the ground up.
+  const std::vector<SunDepthTaps>& taps() const { return taps_; }
   const std::vector<int>& first_piece() const { return first_piece_; }  ///< per sublayer, one past the last
   const std::vector<int>& piece_layer() const { return piece_layer_; }
   const std::vector<float>& piece_thickness_km() const { return piece_thickness_km_; }
 
  private:
-  int points_ = 0;
-  int nodes_;
-  std::size_t layers_;
+  std::vector<SunDepthTaps> taps_;
   std::vector<int> first_piece_;
   std::vector<int> piece_layer_;
   std::vector<float> piece_thickness_km_;
-  std::vector<char> lit_;
-  std::vector<float> path_km_;
 };
 
 /// All geometry that the columns with one key share.
 struct Discretisation {
-  Discretisation(const Shells& shells, const DiscretisationKey& key, Quality quality);
+  /// @param medium  must outlive the discretisation
+  Discretisation(const Medium& medium, const DiscretisationKey& key);
 
-  QualityLimits limits;
-  Shells shells;            ///< the medium's layers, homogeneous
-  LayerMerge merge;         ///< the sweep's layers, merged
-  ShellGeometry layers;     ///< of the medium
-  ShellGeometry sublayers;  ///< merged layers, split for the sweep
-  ShellGeometry ray_steps;  ///< boundaries of layers and of sublayers, which a line of sight stops at
+  /// Whether a line of sight that is at an altitude asks the diffuse field there: at boundaries of the
+  /// sweep's layers and between levels (steps of a long ray), but not at every boundary of the medium's finer
+  /// layers and of the sublayers, between which the field changes little.
+  bool asks_field_at(double altitude_km) const;
+
+  const Medium& medium;
+  ShellGeometry sublayers;             ///< merged layers, split for the sweep
+  ShellGeometry ray_levels;            ///< boundaries of the medium's layers and of the sublayers
   std::vector<int> layer_of_sublayer;  ///< merged layer
   AngularGrid angles;
-  std::vector<double> sun_nodes_deg;
   SweepStencil stencil;
   BeamGeometry beam;
 };

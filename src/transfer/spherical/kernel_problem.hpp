@@ -12,8 +12,29 @@ namespace skylut::transfer {
 // compiled for several instruction sets, so they may call no inline function that the rest of the
 // program shares: hence pointers and counts instead of containers.
 
+/// Interpolation of the optical depth between a point and the sun: see SunDepthGrid.
+struct SunDepthTaps {
+  std::int32_t rising = 0;  ///< first of four entries of the table of rising sunbeams; kShadow: no sun here
+  std::int32_t half =
+      -1;  ///< first of four entries of the table of half-lines; -1: the sunbeam comes from above
+  std::int32_t layer = 0;    ///< of the medium, that holds the point
+  float to_level_km = 0.0f;  ///< way from the point, upwards along the sunbeam's line, to the next level
+  float rising_weight[4] = {};
+  float half_weight[4] = {};
+};
+inline constexpr std::int32_t kShadow = -1;
+
+/// Where the depth towards the sun is tabulated, and the paths through the layers from there.
+struct SunDepthView {
+  int layers;  ///< of the medium
+  int rising_points;
+  int half_points;
+  const float* rising_path_km;  ///< [point][layer]
+  const float* half_path_km;    ///< [point][layer]
+};
+
 struct SweepView {
-  int layers;     ///< homogeneous layers of the medium
+  SunDepthView sun_depth;
   int sublayers;  ///< of the sweep; levels = sublayers + 1
   int sun_nodes;
   int polar_nodes;
@@ -30,13 +51,13 @@ struct SweepView {
   const float* polar_analysis[2][32];
   const float* azimuth_synthesis;
   const float* azimuth_analysis;
-  const float* flux_weight;          ///< [polar][azimuth]: irradiance = Σ weight I
-  const float* beam_moment;          ///< [sun node][moment]: Λ_lm(-μs)/4π
-  const float* sun_cosine;           ///< [sun node]
-  const PolarStep* polar_step[2];    ///< [hemisphere][sublayer][polar]
-  const SunTaps* sun_taps[2];        ///< [hemisphere][sublayer][sun node][polar][azimuth]
-  const float* const* beam_path_km;  ///< [point][sun node] → [layer], null in the shadow: see BeamGeometry
-  const int* first_piece;            ///< [sublayer], one past the last
+  const float* flux_weight;        ///< [polar][azimuth]: irradiance = Σ weight I
+  const float* beam_moment;        ///< [sun node][moment]: Λ_lm(-μs)/4π
+  const float* sun_cosine;         ///< [sun node]
+  const PolarStep* polar_step[2];  ///< [hemisphere][sublayer][polar]
+  const Taps* sun_taps[2];         ///< [hemisphere][sublayer][sun node][polar][azimuth]
+  const SunDepthTaps* beam_taps;   ///< [point][sun node]: see BeamGeometry
+  const int* first_piece;          ///< [sublayer], one past the last
   const int* piece_layer;
   const float* piece_thickness_km;
 };
@@ -62,49 +83,60 @@ struct IterationLimits {
   float tolerance;  ///< relative error of the mean diffuse radiance left by the orders not summed
 };
 
-/// One segment of a line of sight, within one sublayer and one layer of the medium, from its near end to its
-/// far end.
+/// One segment of a line of sight within one layer of the medium.
 struct RaySegment {
-  int sublayer;
   int layer;
   float length_km;
-  float near_fraction;  ///< height of the end within the sublayer, 0 at its lower level, 1 at its upper
-  float far_fraction;
 };
 
-/// What differs between the suns and azimuths of a line of sight, at one end of a segment.
-struct RaySource {
-  std::int32_t first_node;
-  float node_weight[4];
-};
-
-/// Part of a segment that the sun reaches, with the exact altitudes and sun angles of its ends.
+/// Part of a segment that one pair's sun reaches.
 struct LitPart {
-  int segment;
-  float length_km;
+  int pair;
+  int near_end;    ///< index of its near end among the lit ends; the far end is the next one
+  bool continues;  ///< its near end is the far end of the pair's part before it
   float start_km;  ///< of its near end, from the segment's near end
-  float near_altitude_km, far_altitude_km;
-  float near_perigee_km, far_perigee_km;  ///< lowest altitude of the sunbeam's line (below the ground: steep)
-  bool continues;                         ///< its near end is the far end of the part before it
-  bool near_down, far_down;               ///< the way to the sun goes down first
+  float length_km;
 };
 
-/// A line of sight and all the (sun, azimuth) pairs under which it is wanted.
+/// A line of sight through the medium and all the (sun, azimuth) pairs under which it is wanted.
 struct RayView {
   int segments;
   int pairs;
   bool hits_ground;
-  float planet_radius_km;
   const RaySegment* segment;
-  const float* polar_moment;  ///< [end: 2 segment + (0 near, 1 far)][moment]: Λ_lm(μ) of the light there
-  const RaySource* source;    ///< [end][pair]
-  const RaySource* ground_source;  ///< [pair], where the ray ends
-  const float* azimuth_factor;     ///< [end][pair][m]: (2-δ_m0) cos mφ
-  const LitPart* lit;              ///< all pairs in turn
-  const int* first_lit;            ///< [pair], with one past the last
-  const float* level_altitude_km;  ///< [layer + 1] of the medium
-  const float* ground_perigee_km;  ///< [pair], of the sunbeam's line through the ray's end on the ground
+  const LitPart* lit;              ///< of the first segment, then of the next
+  const int* first_lit;            ///< [segment], with one past the last
+  const SunDepthTaps* lit_end;     ///< ends of the lit parts
+  const SunDepthTaps* ground_sun;  ///< [pair], where the ray ends on the ground
   const float* ground_sun_cosine;  ///< [pair]
+};
+
+/// Point of a line of sight where the diffuse field is asked.
+struct SourcePoint {
+  int sublayer;
+  float fraction;  ///< height within the sublayer, 0 at its lower level, 1 at its upper
+};
+
+/// Piece of a line of sight within one layer of the medium, between a source point and the next. Its ends lie
+/// at these fractions of the way between the two.
+struct SourcePiece {
+  int layer;
+  float length_km;
+  int source;  ///< the nearer one
+  float near_fraction;
+  float far_fraction;
+};
+
+/// The diffuse field along a line of sight, for all its pairs.
+struct DiffuseRayView {
+  int pieces;
+  int sources;
+  int azimuth_stride;
+  const SourcePiece* piece;
+  const SourcePoint* source;           ///< the last one is the ray's end
+  const float* polar_moment;           ///< [source][moment]: Λ_lm(μ) of the light there
+  const Taps* const* sun_taps;         ///< [source] → [pair], among the sun nodes
+  const float* const* azimuth_factor;  ///< [source] → [pair][m], azimuth_stride apart: (2-δ_m0) cos mφ
 };
 
 /// The diffuse field of one block, solved, which answers lines of sight. Calls may run in parallel.
@@ -113,7 +145,8 @@ class SolvedBlock {
   virtual ~SolvedBlock() = default;
   /// @param phase     exact phase functions at the pairs' scattering angles, [pair][scatterer][lane]
   /// @param radiance  sr⁻¹, [pair][lane]
-  virtual void line_of_sight(const RayView& ray, const float* phase, float* radiance) const = 0;
+  virtual void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
+                             float* radiance) const = 0;
 };
 
 /// Solves the diffuse field of one block; the views must outlive the result. The caller owns it.

@@ -37,6 +37,15 @@ inline V select(LaneMask<V> where, V yes, V no) {
 }
 
 template <class V>
+inline bool any_lane(LaneMask<V> where) {
+  std::int64_t word[sizeof(V) / sizeof(std::int64_t)];
+  __builtin_memcpy(word, &where, sizeof(V));
+  std::int64_t any = 0;
+  for (const std::int64_t part : word) any |= part;
+  return any != 0;
+}
+
+template <class V>
 inline V lane_max(V a, V b) {
   return a > b ? a : b;
 }

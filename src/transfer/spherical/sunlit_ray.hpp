@@ -2,25 +2,19 @@
 
 #include <vector>
 
-#include "discretisation.hpp"
 #include "kernel_problem.hpp"
+#include "ray_trace.hpp"
+#include "sun_depth_grid.hpp"
 
 namespace skylut::transfer {
-
-/// A point of a line of sight.
-struct RayPoint {
-  double distance_km;  ///< from the observer
-  double altitude_km;
-  double cos_view;  ///< local cosine of the direction of view
-};
 
 /// The parts of a line of sight that one sun reaches. The ray starts at (0, 0, r₀) and runs in the direction
 /// V, the sun is in the direction S; X is a point of the ray. [theory.md §4.6, G10, G12-G13]
 class SunlitRay {
  public:
   /// @param start  where the ray starts
-  SunlitRay(double planet_radius_km, const RayPoint& start, double sun_zenith_rad,
-            double relative_azimuth_rad);
+  SunlitRay(const SunDepthGrid& sun_depth, double planet_radius_km, const RayPoint& start,
+            double sun_zenith_rad, double relative_azimuth_rad);
 
   /// Cosine of the scattering angle: the light travels along -V, the beam along -S, all along the ray.
   double cos_scattering() const { return view_to_sun_; }
@@ -30,13 +24,11 @@ class SunlitRay {
     return sun_height(distance_km) / (planet_km_ + altitude_km);
   }
 
-  /// Altitude of the sunbeam's line, through a point of the ray, where it is closest to the centre.
-  double perigee_km(double distance_km, double altitude_km) const;
-
-  /// Appends the lit parts of the segments between the points: cut at the edges of the planet's shadow, and
-  /// finely where the sunbeam grazes the ground, since its optical depth changes fast there.
-  void append_parts(const std::vector<RayPoint>& points, double sunbeam_step_km,
-                    std::vector<LitPart>& parts) const;
+  /// Appends the lit parts of the segments between the points to those of each segment, and their ends: cut
+  /// at the edges of the planet's shadow, and finely where the sunbeam grazes the ground, since its optical
+  /// depth changes fast there.
+  void append_parts(const std::vector<RayPoint>& points, double sunbeam_step_km, int pair,
+                    std::vector<std::vector<LitPart>>& parts, std::vector<SunDepthTaps>& ends) const;
 
  private:
   double sun_height(double distance_km) const {
@@ -50,6 +42,7 @@ class SunlitRay {
     return sun_height(distance_km) >= 0.0 || beyond_shadow(distance_km) >= 0.0;
   }
 
+  const SunDepthGrid* sun_depth_;
   double planet_km_;
   double start_km_;
   double radius_km_;

@@ -48,6 +48,8 @@ SweepStencil::SweepStencil(const ShellGeometry& shells, const AngularGrid& angle
       directions_(static_cast<std::size_t>(angles.directions())) {
   std::vector<double> root;  // the polar nodes are evenly spread in √|μ|: interpolate there
   for (const double alpha : angles.cos_polar()) root.push_back(std::sqrt(alpha));
+  const CubicInterpolation among_polar(root);
+  const CubicInterpolation among_suns(sun_nodes_deg);
 
   for (const Hemisphere half : {kDown, kUp}) {
     polar_[half].reserve(static_cast<std::size_t>(shells.layers() * polar_nodes_));
@@ -59,7 +61,7 @@ SweepStencil::SweepStencil(const ShellGeometry& shells, const AngularGrid& angle
             half == kDown ? crossing_down(shells, layer, alpha) : crossing_up(shells, layer, alpha);
         if (ray.chord) chord_nodes_ = std::max(chord_nodes_, j + 1);
         polar_[half].push_back(
-            {static_cast<float>(ray.length_km), ray.chord, cubic_taps(root, std::sqrt(ray.start_cosine))});
+            {static_cast<float>(ray.length_km), ray.chord, among_polar(std::sqrt(ray.start_cosine))});
 
         const double mu = half == kDown ? -alpha : alpha;
         const double sine = std::sqrt(1.0 - mu * mu);
@@ -68,15 +70,13 @@ SweepStencil::SweepStencil(const ShellGeometry& shells, const AngularGrid& angle
         const double start_radius = shells.planet_radius_km() + ray.start_km;
         for (int node = 0; node < sun_nodes_; ++node) {
           const double sun = sun_nodes_deg[static_cast<std::size_t>(node)] * kRadiansPerDegree;
-          SunTaps* taps = sun_[half].data() +
-                          static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_ +
-                          j * angles.azimuth_nodes();
+          Taps* taps = sun_[half].data() + static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_ +
+                       j * angles.azimuth_nodes();
           for (const double azimuth : angles.azimuth_rad()) {
             const double towards_sun = mu * std::cos(sun) - sine * std::cos(azimuth) * std::sin(sun);
             const double cosine = (end_radius * std::cos(sun) - ray.length_km * towards_sun) / start_radius;
             const double start_sun_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian;
-            const Taps found = cubic_taps(sun_nodes_deg, start_sun_deg);
-            *taps++ = {found.first, {found.weight[0], found.weight[1], found.weight[2], found.weight[3]}};
+            *taps++ = among_suns(start_sun_deg);
           }
         }
       }

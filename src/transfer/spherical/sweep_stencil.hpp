@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "angular_grid.hpp"
@@ -8,12 +7,6 @@
 #include "shell_geometry.hpp"
 
 namespace skylut::transfer {
-
-/// Interpolation among sun nodes; as Taps, but small, since there is one per direction.
-struct SunTaps {
-  std::int32_t first;
-  float weight[4];
-};
 
 /// Where the light of one polar node comes from when it has crossed one sublayer.
 struct PolarStep {
@@ -37,7 +30,7 @@ class SweepStencil {
     return polar_[half][static_cast<std::size_t>(layer * polar_nodes_ + j)];
   }
   /// Sun taps of all directions [polar][azimuth] of one sublayer and sun node.
-  const SunTaps* sun(Hemisphere half, int layer, int node) const {
+  const Taps* sun(Hemisphere half, int layer, int node) const {
     return sun_[half].data() + static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_;
   }
   /// Number of polar nodes, from the horizon up, that are chords of some sublayer.
@@ -49,7 +42,7 @@ class SweepStencil {
   std::size_t directions_;
   int chord_nodes_ = 0;
   std::vector<PolarStep> polar_[2];
-  std::vector<SunTaps> sun_[2];
+  std::vector<Taps> sun_[2];
 };
 
 }  // namespace skylut::transfer

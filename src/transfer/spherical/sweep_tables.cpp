@@ -10,7 +10,7 @@ namespace skylut::transfer {
 SweepTables::SweepTables(const Discretisation& grid) {
   const AngularGrid& angles = grid.angles;
   const SweepStencil& stencil = grid.stencil;
-  const int nodes = static_cast<int>(grid.sun_nodes_deg.size());
+  const int nodes = static_cast<int>(grid.medium.sun_nodes_deg.size());
   for (int m = 0; m < angles.azimuthal_orders(); ++m) {
     moment_offset_.push_back(angles.moment_offset(m));
     for (int l = m; l <= angles.resolution().max_l; ++l) moment_degree_.push_back(l);
@@ -23,17 +23,15 @@ SweepTables::SweepTables(const Discretisation& grid) {
     flux_weight_.insert(flux_weight_.end(), static_cast<std::size_t>(angles.azimuth_nodes()),
                         static_cast<float>(weight));
   }
-  for (const double node_deg : grid.sun_nodes_deg) {
+  for (const double node_deg : grid.medium.sun_nodes_deg) {
     const double cosine = std::cos(node_deg * kRadiansPerDegree);
     sun_cosine_.push_back(static_cast<float>(cosine));
     for (int m = 0; m < angles.azimuthal_orders(); ++m)
       for (const double value : normalised_legendre(m, angles.resolution().max_l, -cosine))
         beam_moment_.push_back(static_cast<float>(value / (4.0 * kPi)));
   }
-  for (int point = 0; point < grid.beam.points(); ++point)
-    for (int node = 0; node < nodes; ++node) beam_path_km_.push_back(grid.beam.path_km(point, node));
 
-  view_.layers = grid.layers.layers();
+  view_.sun_depth = grid.medium.sun_depth.view();
   view_.sublayers = grid.sublayers.layers();
   view_.sun_nodes = nodes;
   view_.polar_nodes = angles.polar_nodes();
@@ -58,7 +56,7 @@ SweepTables::SweepTables(const Discretisation& grid) {
   view_.flux_weight = flux_weight_.data();
   view_.beam_moment = beam_moment_.data();
   view_.sun_cosine = sun_cosine_.data();
-  view_.beam_path_km = beam_path_km_.data();
+  view_.beam_taps = grid.beam.taps().data();
   view_.first_piece = grid.beam.first_piece().data();
   view_.piece_layer = grid.beam.piece_layer().data();
   view_.piece_thickness_km = grid.beam.piece_thickness_km().data();

@@ -21,7 +21,6 @@ class SweepTables {
   std::vector<float> flux_weight_;
   std::vector<float> beam_moment_;
   std::vector<float> sun_cosine_;
-  std::vector<const float*> beam_path_km_;
 };
 
 }  // namespace skylut::transfer

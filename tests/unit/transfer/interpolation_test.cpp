@@ -10,7 +10,7 @@ namespace {
 const std::vector<double> kNodes = {0.0, 1.0, 2.5, 3.0, 5.0, 5.5, 7.0};
 
 double interpolate(double x, double (*f)(double)) {
-  const Taps taps = cubic_taps(kNodes, x);
+  const Taps taps = CubicInterpolation(kNodes)(x);
   double sum = 0.0;
   for (int i = 0; i < 4; ++i) sum += taps.weight[i] * f(kNodes[static_cast<std::size_t>(taps.first + i)]);
   return sum;
@@ -29,7 +29,7 @@ TEST(Interpolation, NodesKeepTheirValues) {
 
 TEST(Interpolation, TapsSurroundThePoint) {
   for (double x = 0.05; x < 7.0; x += 0.1) {
-    const Taps taps = cubic_taps(kNodes, x);
+    const Taps taps = CubicInterpolation(kNodes)(x);
     ASSERT_GE(taps.first, 0);
     ASSERT_LE(taps.first + 3, 6);
     const auto first = static_cast<std::size_t>(taps.first);

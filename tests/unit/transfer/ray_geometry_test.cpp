@@ -10,32 +10,24 @@
 namespace skylut::transfer {
 namespace {
 
-const OpticalColumn& column() {
-  static const OpticalColumn one = test::column_of({.rayleigh_depth = 0.2});
-  return one;
-}
-
-const Discretisation& grid() {
-  static const Discretisation one(
-      test::earth(), discretisation_for(test::earth(), column(), Quality::standard), Quality::standard);
+const Medium& medium() {
+  static const Medium one(test::earth(), Quality::standard);
   return one;
 }
 
 /// A ray with the view that the kernel gets of it.
 struct Ray {
   Ray(double observer_km, double zenith_deg, std::vector<SunAzimuth> pairs = {{45.0, 30.0}})
-      : geometry(grid(), observer_km, zenith_deg, pairs), view(geometry.view(grid())) {}
+      : trace(medium().layers, medium().limits.ray_step_km, observer_km,
+              std::cos(zenith_deg * kRadiansPerDegree)),
+        geometry(medium(), observer_km, zenith_deg, pairs),
+        view(geometry.view()) {}
   double length() const {
     double sum = 0.0;
     for (int i = 0; i < view.segments; ++i) sum += view.segment[i].length_km;
     return sum;
   }
-  double height(int segment, bool far) const {
-    const RaySegment& part = view.segment[segment];
-    const double lower = grid().sublayers.level_km(part.sublayer);
-    const double upper = grid().sublayers.level_km(part.sublayer + 1);
-    return lower + (far ? part.far_fraction : part.near_fraction) * (upper - lower);
-  }
+  RayTrace trace;
   RayGeometry geometry;
   RayView view;
 };
@@ -54,7 +46,7 @@ double exact_length(double observer_km, double zenith_deg) {
   return static_cast<double>(ground ? -along - std::sqrt(to_ground) : std::sqrt(to_top) - along);
 }
 
-// Segments add up to the ray, follow each other in height, and lie within their sublayers.
+// Segments add up to the ray and lie within their layers; points follow the law of cosines.
 TEST(RayGeometry, SegmentsAddUpToTheRay) {
   for (const double observer : {0.0, 0.01, 3.0, 12.0, 30.0, 99.0, 100.0})
     for (const double zenith : {0.0, 30.0, 75.0, 89.0, 90.0, 91.0, 93.0, 96.0, 120.0, 180.0}) {
@@ -65,15 +57,21 @@ TEST(RayGeometry, SegmentsAddUpToTheRay) {
       // direction (r cos)² known to 1e-16 r² leaves 1e-4 km.
       EXPECT_NEAR(ray.length(), expected, 1e-6 * expected + 1e-6) << observer << " " << zenith;
       EXPECT_EQ(ray.view.hits_ground, zenith > horizon_deg(observer)) << observer << " " << zenith;
-      for (int i = 0; i + 1 < ray.view.segments; ++i) {
-        // Fractions of a sublayer at most 30 km thick, in single precision.
-        EXPECT_NEAR(ray.height(i, true), ray.height(i + 1, false), 5e-6)
-            << observer << " " << zenith << " " << i;
-        EXPECT_LE(ray.view.segment[i].length_km, 1.0001 * grid().limits.ray_step_km);
+      ASSERT_EQ(ray.trace.points.size(), static_cast<std::size_t>(ray.view.segments) + 1);
+      const double cosine = std::cos(zenith * kRadiansPerDegree);
+      for (int i = 0; i < ray.view.segments; ++i) {
+        const RaySegment& segment = ray.view.segment[i];
+        EXPECT_LE(segment.length_km, 1.0001 * medium().limits.ray_step_km);
+        for (const RayPoint& end : {ray.trace.points[static_cast<std::size_t>(i)],
+                                    ray.trace.points[static_cast<std::size_t>(i) + 1]}) {
+          const double r = 6371.0 + observer;
+          const double d = end.distance_km;
+          // Squares of radii in double precision: 1e-16 r² / r.
+          EXPECT_NEAR(end.altitude_km, std::sqrt(r * r + d * d + 2.0 * d * r * cosine) - 6371.0, 1e-9);
+          EXPECT_GE(end.altitude_km, medium().layers.level_km(segment.layer) - 1e-9);
+          EXPECT_LE(end.altitude_km, medium().layers.level_km(segment.layer + 1) + 1e-9);
+        }
       }
-      if (ray.view.segments == 0) continue;
-      EXPECT_NEAR(ray.height(0, false), observer, 5e-6);
-      EXPECT_NEAR(ray.height(ray.view.segments - 1, true), ray.view.hits_ground ? 0.0 : 100.0, 5e-6);
     }
 }
 
@@ -141,7 +139,7 @@ TEST(RayGeometry, LitPartsEndOnTheShadow) {
           const SunAzimuth pair{sun, azimuth};
           const Ray ray(observer, zenith, {pair});
           double lit = 0.0;
-          for (int i = 0; i < ray.view.first_lit[1]; ++i) lit += ray.view.lit[i].length_km;
+          for (int i = 0; i < ray.view.first_lit[ray.view.segments]; ++i) lit += ray.view.lit[i].length_km;
           const double expected = Shadow(observer, zenith, pair).lit_length(ray.length());
           if (expected < 0.999 * ray.length()) ++dark;
           // Single-precision lengths; where the shadow's edge grazes the ray (the sun on the horizon), the
@@ -150,30 +148,6 @@ TEST(RayGeometry, LitPartsEndOnTheShadow) {
               << observer << " " << zenith << " " << sun << " " << azimuth;
         }
   EXPECT_GT(dark, 100);  // the cases do cross the shadow
-}
-
-// Every lit part: its ends' altitudes and the lowest altitude of the sunbeam through them.
-TEST(RayGeometry, LitPartsKnowTheirSunbeam) {
-  const SunAzimuth pair{92.0, 60.0};
-  const Ray ray(12.0, 88.0, {pair});
-  ASSERT_GT(ray.view.first_lit[1], 5);
-  for (int i = 0; i < ray.view.first_lit[1]; ++i) {
-    const LitPart& part = ray.view.lit[i];
-    double start = part.start_km;
-    for (int segment = 0; segment < part.segment; ++segment) start += ray.view.segment[segment].length_km;
-    const double zenith = 88.0 * kRadiansPerDegree;
-    const double sun = 92.0 * kRadiansPerDegree;
-    const double x = start * std::sin(zenith) * std::cos(60.0 * kRadiansPerDegree);
-    const double y = start * std::sin(zenith) * std::sin(60.0 * kRadiansPerDegree);
-    const double z = 6383.0 + start * std::cos(zenith);
-    const double towards = x * std::sin(sun) + z * std::cos(sun);
-    const double square = x * x + y * y + z * z;
-    // Distances of up to 1500 km summed from single-precision lengths: 1e-4 km.
-    EXPECT_NEAR(part.near_altitude_km, std::sqrt(square) - 6371.0, 1e-4);
-    EXPECT_NEAR(part.near_perigee_km, std::sqrt(square - towards * towards) - 6371.0, 1e-4);
-    EXPECT_EQ(part.near_down, towards < 0.0);
-    EXPECT_GE(std::max(part.near_perigee_km, part.far_perigee_km), -1e-4);
-  }
 }
 
 }  // namespace

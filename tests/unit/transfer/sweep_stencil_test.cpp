@@ -107,7 +107,7 @@ TEST_P(SweepStencilOfPlanet, SunTapsFollowTheLocalVertical) {
                 dot(point, {std::sin(sun), 0.0, std::cos(sun)}) / std::sqrt(dot(point, point));
             const double expected =
                 std::clamp(std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian, 0.0, 104.0);
-            const SunTaps& taps = stencil.sun(half, layer, node)[j * kAngles.azimuth_nodes() + k];
+            const Taps& taps = stencil.sun(half, layer, node)[j * kAngles.azimuth_nodes() + k];
             // Single-precision weights times angles of 100°; near the zenith acos loses half the digits.
             EXPECT_NEAR(at_taps(taps, kSunNodes_deg), expected, 1e-4) << half << " " << layer << " " << j;
           }

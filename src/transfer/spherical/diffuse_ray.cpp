@@ -1,0 +1,66 @@
+#include "diffuse_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skylut/core/constants.hpp"
+#include "skylut/core/legendre.hpp"
+
+namespace skylut::transfer {
+
+DiffuseRay::DiffuseRay(const Discretisation& grid, double observer_km, double view_zenith_deg,
+                       LocalSun& local_sun)
+    : azimuth_stride_(local_sun.orders()) {
+  const RayTrace trace(grid.ray_levels, grid.medium.limits.ray_step_km, observer_km,
+                       std::cos(view_zenith_deg * kRadiansPerDegree));
+  add_pieces(grid, trace.points);
+  for (const RayPoint& point : source_at_) {
+    for (int m = 0; m < grid.angles.azimuthal_orders(); ++m)
+      for (const double value : normalised_legendre(m, grid.angles.resolution().max_l, -point.cos_view))
+        polar_moment_.push_back(static_cast<float>(value));
+    const LocalSun::Point& local = local_sun.at(point);
+    sun_taps_.push_back(local.sun_taps.data());
+    azimuth_factor_.push_back(local.azimuth_factor.data());
+  }
+}
+
+void DiffuseRay::add_pieces(const Discretisation& grid, const std::vector<RayPoint>& points) {
+  const auto add_source = [&](int sublayer, const RayPoint& point) {
+    const double lower_km = grid.sublayers.level_km(sublayer);
+    const double thickness_km = grid.sublayers.level_km(sublayer + 1) - lower_km;
+    const double fraction = std::clamp((point.altitude_km - lower_km) / thickness_km, 0.0, 1.0);
+    source_.push_back({sublayer, static_cast<float>(fraction)});
+    source_at_.push_back(point);
+  };
+  int sublayer = grid.sublayers.layer_of(points.front().altitude_km);
+  for (std::size_t near = 0, far; near + 1 < points.size(); near = far) {
+    for (far = near + 1; far + 1 < points.size() && !grid.asks_field_at(points[far].altitude_km);) ++far;
+    sublayer = grid.sublayers.layer_of(0.5 * (points[near].altitude_km + points[near + 1].altitude_km));
+    add_source(sublayer, points[near]);
+    const double start_km = points[near].distance_km;
+    const double length_km = points[far].distance_km - start_km;
+    for (std::size_t i = near; i < far; ++i) {
+      const double middle_km = 0.5 * (points[i].altitude_km + points[i + 1].altitude_km);
+      piece_.push_back({grid.medium.layers.layer_of(middle_km),
+                        static_cast<float>(points[i + 1].distance_km - points[i].distance_km),
+                        static_cast<int>(source_.size()) - 1,
+                        static_cast<float>((points[i].distance_km - start_km) / length_km),
+                        static_cast<float>((points[i + 1].distance_km - start_km) / length_km)});
+      sublayer = grid.sublayers.layer_of(middle_km);
+    }
+  }
+  add_source(sublayer, points.back());
+}
+
+DiffuseRayView DiffuseRay::view() const {
+  return {static_cast<int>(piece_.size()),
+          static_cast<int>(source_.size()),
+          azimuth_stride_,
+          piece_.data(),
+          source_.data(),
+          polar_moment_.data(),
+          sun_taps_.data(),
+          azimuth_factor_.data()};
+}
+
+}  // namespace skylut::transfer

@@ -1,0 +1,59 @@
+#include "local_sun.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skylut/core/constants.hpp"
+
+namespace skylut::transfer {
+
+LocalSun::LocalSun(double planet_radius_km, const RayPoint& start, std::span<const SunAzimuth> pairs,
+                   const CubicInterpolation& suns, int orders)
+    : planet_km_(planet_radius_km), suns_(&suns), orders_(orders) {
+  const double sin_view = std::sqrt(std::max(0.0, 1.0 - start.cos_view * start.cos_view));
+  for (const SunAzimuth& pair : pairs) {
+    const double sun = pair.sun_zenith_deg * kRadiansPerDegree;
+    const double cos_azimuth = std::cos(pair.relative_azimuth_deg * kRadiansPerDegree);
+    pairs_.push_back({(planet_km_ + start.altitude_km) * std::cos(sun),
+                      start.cos_view * std::cos(sun) + sin_view * std::sin(sun) * cos_azimuth, cos_azimuth});
+  }
+}
+
+const LocalSun::Point& LocalSun::at(const RayPoint& point) {
+  const auto [found, is_new] = known_.try_emplace(point.distance_km);
+  if (is_new) found->second = locate(point);
+  return found->second;
+}
+
+LocalSun::Point LocalSun::locate(const RayPoint& point) const {
+  Point local;
+  local.sun_taps.reserve(pairs_.size());
+  local.azimuth_factor.resize(pairs_.size() * static_cast<std::size_t>(orders_));
+  float* factor = local.azimuth_factor.data();
+  const double inverse_radius = 1.0 / (planet_km_ + point.altitude_km);
+  const double local_sin_view = std::sqrt(std::max(0.0, 1.0 - point.cos_view * point.cos_view));
+  for (const AtStart& pair : pairs_) {
+    const double cos_sun =
+        std::clamp((pair.sun_height_km + point.distance_km * pair.view_to_sun) * inverse_radius, -1.0, 1.0);
+    local.sun_taps.push_back((*suns_)(std::acos(cos_sun) * kDegreesPerRadian));
+
+    // Azimuth of the light (it travels against the view) from that of the sunbeam, which equals the
+    // azimuth of the view from that of the sun.
+    const double sines = std::sqrt(1.0 - cos_sun * cos_sun) * local_sin_view;
+    const double cosine = sines > 1e-12
+                              ? std::clamp((pair.view_to_sun - cos_sun * point.cos_view) / sines, -1.0, 1.0)
+                              : pair.cos_azimuth;
+    double previous = 1.0;
+    double current = cosine;
+    *factor++ = 1.0f;
+    for (int m = 1; m < orders_; ++m) {
+      *factor++ = static_cast<float>(2.0 * current);
+      const double next = 2.0 * cosine * current - previous;  // cos((m+1)φ)
+      previous = current;
+      current = next;
+    }
+  }
+  return local;
+}
+
+}  // namespace skylut::transfer

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "interpolation.hpp"
+#include "ray_trace.hpp"
+
+namespace skylut::transfer {
+
+/// One sun and relative azimuth under which a line of sight is wanted.
+struct SunAzimuth {
+  double sun_zenith_deg;
+  double relative_azimuth_deg;
+};
+
+/// Solar zenith angle and azimuth of the light in the local frame of points along one line of sight, for all
+/// its pairs. The discretisations that share the ray share most of their points: each is worked out once.
+/// [theory.md §4.6, G10-G11]
+class LocalSun {
+ public:
+  /// @param suns    interpolation among the sun nodes, by zenith angle in degrees; must outlive this object
+  /// @param orders  azimuthal orders wanted, at least 2
+  LocalSun(double planet_radius_km, const RayPoint& start, std::span<const SunAzimuth> pairs,
+           const CubicInterpolation& suns, int orders);
+
+  struct Point {
+    std::vector<Taps> sun_taps;         ///< [pair]
+    std::vector<float> azimuth_factor;  ///< [pair][m]: (2-δ_m0) cos mφ
+  };
+  /// References stay valid.
+  const Point& at(const RayPoint& point);
+
+  int orders() const { return orders_; }
+
+ private:
+  struct AtStart {
+    double sun_height_km;
+    double view_to_sun;
+    double cos_azimuth;
+  };
+  Point locate(const RayPoint& point) const;
+
+  double planet_km_;
+  const CubicInterpolation* suns_;
+  int orders_;
+  std::vector<AtStart> pairs_;
+  std::map<double, Point> known_;  // by distance from the observer
+};
+
+}  // namespace skylut::transfer
