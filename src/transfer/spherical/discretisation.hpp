@@ -61,6 +61,9 @@ struct Discretisation {
   AngularGrid angles;
   SweepStencil stencil;
   BeamGeometry beam;
+
+ private:
+  std::vector<double> field_levels_km_;
 };
 
 }  // namespace skylut::transfer

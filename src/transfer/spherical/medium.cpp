@@ -23,11 +23,11 @@ std::vector<double> sun_nodes(bool dense) {
 QualityLimits limits_of(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {0.2, 0.03, 0.6, 8, false, true, 20.0, 2.0, 3e-3};
+      return {0.2, 0.03, 0.6, 8, false, true, 3, 20.0, 2.0, 3e-3};
     case Quality::standard:
-      return {0.04, 0.015, 0.7, 10, false, true, 10.0, 0.25, 1e-3};
+      return {0.04, 0.015, 0.7, 10, false, true, 3, 10.0, 0.25, 1e-3};
     case Quality::reference:
-      return {0.02, 0.006, 0.9, 16, true, false, 5.0, 0.125, 1e-4};
+      return {0.02, 0.006, 0.9, 16, true, false, 1, 5.0, 0.125, 1e-4};
   }
   return limits_of(Quality::standard);
 }

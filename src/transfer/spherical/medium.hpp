@@ -18,6 +18,7 @@ struct QualityLimits {
   int least_polar_nodes;
   bool dense_sun_nodes;  ///< every half degree at the terminator
   bool merge_layers;     ///< thin layers are taken together in the sweep
+  int field_stride;      ///< a line of sight asks the field at every so many sublayers within a layer
   double ray_step_km;    ///< longest step of a line of sight
   double
       sunbeam_step_km;  ///< largest change of the sunbeam's lowest altitude along a step, near the terminator
