@@ -30,7 +30,7 @@ const Air& default_air() {
 struct OneBlock {
   explicit OneBlock(benchmark::State& state)
       : column(default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)))),
-        medium(default_air().shells(), Quality::standard),
+        medium(default_air().shells(), limits_of(Quality::standard)),
         grid(medium, discretisation_for(medium, column)),
         tables(grid),
         lanes(static_cast<std::size_t>(best_kernel().lanes), &column),
@@ -58,7 +58,7 @@ struct OneBlock {
 void shared_geometry(benchmark::State& state) {
   const OpticalColumn column = default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)));
   for (auto _ : state) {
-    const Medium medium(default_air().shells(), Quality::standard);
+    const Medium medium(default_air().shells(), limits_of(Quality::standard));
     benchmark::DoNotOptimize(std::make_unique<Discretisation>(medium, discretisation_for(medium, column)));
   }
 }

@@ -2,14 +2,19 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "json_reader.hpp"
+#include "number_options.hpp"
 #include "skylut/core/atomic_file.hpp"
+#include "skylut/core/errors.hpp"
 #include "solve_case.hpp"
+#include "text.hpp"
 
 namespace skylut::cli {
 namespace {
@@ -17,10 +22,25 @@ namespace {
 struct SolveArguments {
   std::string input;
   std::string output;
+  Quality quality = Quality::standard;
+  std::vector<std::string> limits;  // NAME=VALUE
   SolveOptions options;
 };
 
-void run(const SolveArguments& arguments) {
+QualityLimits quality_limits(const SolveArguments& arguments) {
+  QualityLimits limits = limits_of(arguments.quality);
+  for (const std::string& text : arguments.limits) {
+    const std::vector<std::string> parts = split(text, '=');
+    if (parts.size() != 2)
+      throw InputError("--limit '{}': must be NAME=VALUE, for example optical-step=0.01", text);
+    constexpr double kAny = std::numeric_limits<double>::max();
+    set_limit(limits, parts[0], parse_number("--limit " + parts[0], parts[1], {-kAny, kAny, ""}));
+  }
+  return limits;
+}
+
+void run(SolveArguments& arguments) {
+  arguments.options.limits = quality_limits(arguments);
   const nlohmann::ordered_json answer =
       solve_case(read_json_file(arguments.input), arguments.input, arguments.options);
   const std::string text = answer.dump(1) + "\n";
@@ -45,8 +65,13 @@ void add_solve_command(CLI::App& app) {
       ->transform(CLI::CheckedTransformer(methods));
   const std::map<std::string, Quality> qualities{
       {"draft", Quality::draft}, {"default", Quality::standard}, {"reference", Quality::reference}};
-  command->add_option("--quality", options.quality, "draft, default or reference (spherical solver)")
+  command->add_option("--quality", arguments->quality, "draft, default or reference (spherical solver)")
       ->transform(CLI::CheckedTransformer(qualities));
+  command
+      ->add_option("--limit", arguments->limits,
+                   "Refine one number of the quality, for convergence studies: optical-step=0.01 and others")
+      ->delimiter(',')
+      ->type_name("NAME=VALUE");
   command->add_option("--photons", options.photons, "Monte Carlo: photons per direction, default 100000");
   command->add_option("--seed", options.seed, "Monte Carlo: seed, default 1");
   command->add_option("--orders", options.orders, "Highest order of scattering; 0, the default: all")

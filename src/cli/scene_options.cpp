@@ -99,7 +99,7 @@ SkyScene SceneOptions::scene() const {
 
 TransferOptions SceneOptions::transfer() const {
   TransferOptions options;
-  options.quality = parse_quality(quality_);
+  options.limits = limits_of(parse_quality(quality_));
   options.threads = threads_;
   return options;
 }

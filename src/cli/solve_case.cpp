@@ -226,7 +226,7 @@ Json solve_shells(const JsonReader& file, const SolveOptions& options) {
   }
   const SkyRequest request{{read.observer_km}, {read.sun_zenith_deg}, read.views};
   TransferOptions transfer;
-  transfer.quality = options.quality;
+  transfer.limits = options.limits;
   transfer.threads = options.threads;
   transfer.orders = options.orders;
   const SkyRadiance radiance = solve_sky_radiance(read.shells, {&read.column, 1}, request, transfer);

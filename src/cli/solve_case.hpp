@@ -12,7 +12,7 @@ enum class SolveMethod { standard, monte_carlo };
 
 struct SolveOptions {
   SolveMethod method = SolveMethod::standard;
-  Quality quality = Quality::standard;  ///< of the spherical solver; plane-parallel has one quality
+  QualityLimits limits = limits_of(Quality::standard);  ///< of the spherical solver only
   int orders = 0;                       ///< 0: all
   int threads = 0;
   std::uint64_t photons = 100'000;  ///< Monte Carlo, per direction

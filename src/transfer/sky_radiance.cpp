@@ -138,7 +138,7 @@ SkyRadiance solve_sky_radiance(const Shells& shells, std::span<const OpticalColu
 
   // 1. Columns that want the same grids share their geometry; blocks of them share a SIMD register.
   const Kernel& kernel = best_kernel();
-  const Medium medium(shells, options.quality);
+  const Medium medium(shells, options.limits);
   const auto groups = group_columns(medium, columns);
   std::vector<Block> blocks = fill_blocks(groups, kernel.lanes);
   const std::vector<WantedRay> rays = wanted_rays(request);

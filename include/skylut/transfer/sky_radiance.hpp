@@ -6,6 +6,7 @@
 
 #include "skylut/core/directions.hpp"
 #include "skylut/optics/optical_state.hpp"
+#include "skylut/transfer/quality.hpp"
 
 /// The main algorithm of the transfer room: start reading here.
 namespace skylut {
@@ -18,12 +19,8 @@ struct SkyRequest {
   std::vector<RelativeView> views;            ///< directions the observer LOOKS
 };
 
-/// How finely the transfer equation is discretised. See docs/validation.md for the error and the
-/// time of each quality.
-enum class Quality { draft, standard, reference };
-
 struct TransferOptions {
-  Quality quality = Quality::standard;
+  QualityLimits limits = limits_of(Quality::standard);
   int threads = 0;  ///< 0: all cores. Results do not depend on it.
   int orders = 0;   ///< highest order of scattering; 0: all, until converged
   /// Called with (blocks done, blocks in all) from any thread, one call at a time; may be empty.

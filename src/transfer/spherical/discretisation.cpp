@@ -49,21 +49,6 @@ std::vector<double> joined_levels(const ShellGeometry& layers, const ShellGeomet
   return levels;
 }
 
-/// Boundaries of the sweep's layers, every stride-th sublayer between them, and all sublayers of the lowest
-/// layer, where the field of grazing directions changes within tens of metres.
-std::vector<double> field_levels(const ShellGeometry& sublayers, const std::vector<int>& layer_of,
-                                 int stride) {
-  std::vector<double> levels;
-  int since_boundary = 0;
-  for (std::size_t sublayer = 0; sublayer < layer_of.size(); ++sublayer) {
-    if (sublayer == 0 || layer_of[sublayer] != layer_of[sublayer - 1]) since_boundary = 0;
-    if (layer_of[sublayer] == 0 || since_boundary++ % stride == 0)
-      levels.push_back(sublayers.level_km(static_cast<int>(sublayer)));
-  }
-  levels.push_back(sublayers.top_km());
-  return levels;
-}
-
 std::vector<int> parts_for(const std::vector<double>& depth, double optical_step) {
   std::vector<int> parts;
   for (const double layer_depth : depth)
@@ -173,14 +158,13 @@ Discretisation::Discretisation(const Medium& medium_, const DiscretisationKey& k
       layer_of_sublayer(layers_of(medium.merge.shells(), sublayers)),
       angles(key.angles),
       stencil(sublayers, angles, medium.sun_nodes_deg),
-      beam(medium, sublayers),
-      field_levels_km_(field_levels(sublayers, layer_of_sublayer, medium.limits.field_stride)) {}
+      beam(medium, sublayers) {}
 
 bool Discretisation::asks_field_at(double altitude_km) const {
-  const auto holds = [&](const std::vector<double>& levels) {
-    return std::binary_search(levels.begin(), levels.end(), altitude_km);
+  const auto holds = [&](const ShellGeometry& shells) {
+    return std::binary_search(shells.levels_km().begin(), shells.levels_km().end(), altitude_km);
   };
-  return holds(field_levels_km_) || !holds(ray_levels.levels_km());
+  return holds(sublayers) || !holds(ray_levels);
 }
 
 }  // namespace skylut::transfer

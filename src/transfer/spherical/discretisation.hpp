@@ -49,9 +49,9 @@ struct Discretisation {
   /// @param medium  must outlive the discretisation
   Discretisation(const Medium& medium, const DiscretisationKey& key);
 
-  /// Whether a line of sight that is at an altitude asks the diffuse field there: at boundaries of the
-  /// sweep's layers and between levels (steps of a long ray), but not at every boundary of the medium's finer
-  /// layers and of the sublayers, between which the field changes little.
+  /// Whether a line of sight asks the diffuse field at an altitude where it stops: at the boundaries of
+  /// sublayers and between levels (steps of a long ray), but not at the boundaries that are the medium's
+  /// alone, across which the field's moments are linear.
   bool asks_field_at(double altitude_km) const;
 
   const Medium& medium;
@@ -61,9 +61,6 @@ struct Discretisation {
   AngularGrid angles;
   SweepStencil stencil;
   BeamGeometry beam;
-
- private:
-  std::vector<double> field_levels_km_;
 };
 
 }  // namespace skylut::transfer

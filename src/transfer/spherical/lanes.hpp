@@ -36,13 +36,29 @@ inline V select(LaneMask<V> where, V yes, V no) {
   return where ? yes : no;
 }
 
+/// Whether any bit of the first W floats of a register V is set, by folding in halves.
+template <class V, int W>
+inline bool any_bit(typename LaneRegister<W>::type bits) {
+  if constexpr (W == 4) {
+    std::int64_t word[2];
+    __builtin_memcpy(word, &bits, sizeof(word));
+    return (word[0] | word[1]) != 0;
+  } else {
+    using Half = typename LaneRegister<W / 2>::type;
+    LaneMask<Half> half[2];
+    __builtin_memcpy(half, &bits, sizeof(bits));
+    half[0] |= half[1];
+    Half folded;
+    __builtin_memcpy(&folded, half, sizeof(folded));
+    return any_bit<V, W / 2>(folded);
+  }
+}
+
 template <class V>
 inline bool any_lane(LaneMask<V> where) {
-  std::int64_t word[sizeof(V) / sizeof(std::int64_t)];
-  __builtin_memcpy(word, &where, sizeof(V));
-  std::int64_t any = 0;
-  for (const std::int64_t part : word) any |= part;
-  return any != 0;
+  V bits;
+  __builtin_memcpy(&bits, &where, sizeof(V));
+  return any_bit<V, kLaneCount<V>>(bits);
 }
 
 template <class V>

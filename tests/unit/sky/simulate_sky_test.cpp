@@ -25,7 +25,7 @@ SkyScene small_scene() {
 
 TransferOptions draft() {
   TransferOptions options;
-  options.quality = Quality::draft;
+  options.limits = limits_of(Quality::draft);
   return options;
 }
 

@@ -25,7 +25,7 @@ struct Grids {
         {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.7), column.extinction_depth});
     return column;
   }
-  Medium medium{shells(), Quality::standard};
+  Medium medium{shells(), limits_of(Quality::standard)};
   Discretisation grid{medium, discretisation_for(medium, haze())};
 };
 

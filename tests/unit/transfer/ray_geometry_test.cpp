@@ -11,7 +11,7 @@ namespace skylut::transfer {
 namespace {
 
 const Medium& medium() {
-  static const Medium one(test::earth(), Quality::standard);
+  static const Medium one(test::earth(), limits_of(Quality::standard));
   return one;
 }
 

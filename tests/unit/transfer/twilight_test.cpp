@@ -55,7 +55,7 @@ TEST(Twilight, SmoothAndDarkening) {
   const OpticalColumn columns[] = {rayleigh(), hazy()};
   const SkyRequest request{kObservers_km, suns, kViews};
   TransferOptions fine;
-  fine.quality = Quality::reference;
+  fine.limits = limits_of(Quality::reference);
   const SkyRadiance sky = test::solve(test::earth(), columns, request);
   const SkyRadiance reference = solve_sky_radiance(test::earth(), columns, request, fine);
   for (std::size_t c = 0; c < 2; ++c)
