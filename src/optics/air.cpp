@@ -84,6 +84,7 @@ void Air::scale_columns() {
   if (options_.no2_du) scale_gas_column(profile_, "nitrogen_dioxide", *options_.no2_du * kDobsonUnit_per_m2);
   if (options_.water_cm)
     scale_gas_column(profile_, "water_vapour", *options_.water_cm * water_molecules_per_m2_cm());
+  update_quantities(profile_);
 }
 
 // The air at altitude z under gravity g is that of the profile at z g/g0.

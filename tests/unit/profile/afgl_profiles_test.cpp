@@ -71,6 +71,18 @@ TEST(AfglProfiles, Levels) {
   EXPECT_GT(air_state(winter, 1.0).temperature_K, air_state(winter, 0.0).temperature_K) << "inversion";
 }
 
+TEST(UpdateQuantities, FollowTheColumns) {
+  Profile profile = load_profile("tropical");
+  scale_gas_column(profile, "ozone", 300.0 * kDobsonUnit_per_m2);
+  update_quantities(profile);
+  EXPECT_NEAR(profile.quantities.front().ozone_atm_cm, 0.3, 1e-9);
+  Profile report = load_profile("utm2005");
+  const double printed = report.quantities.front().ozone_atm_cm;
+  scale_gas_column(report, "ozone", 300.0 * kDobsonUnit_per_m2);
+  update_quantities(report);
+  EXPECT_EQ(report.quantities.front().ozone_atm_cm, printed);
+}
+
 TEST(SurfacePressure, ScalesAirAndWellMixedGases) {
   Profile profile = load_profile("tropical");
   const Profile before = profile;
