@@ -49,6 +49,20 @@ void SceneOptions::add_to(CLI::App& command) {
           "ozone column in Dobson units; default: the profile's")
       ->type_name("NUMBER")
       ->group(air);
+  const auto add_gas = [&](const char* name, std::optional<double>& value, NumberRange range,
+                           const char* text) {
+    command
+        .add_option_function<std::string>(
+            name, [&value, name, range](const std::string& given) { value = parse_number(name, given, range); },
+            text)
+        ->type_name("NUMBER")
+        ->group(air);
+  };
+  add_gas("--water-cm", water_cm_, {0.0, 20.0, "cm"}, "precipitable water in cm; default: the profile's");
+  add_gas("--no2-du", no2_du_, {0.0, 100.0, "DU"},
+          "nitrogen dioxide column in Dobson units; default: the profile's");
+  add_gas("--pressure-hpa", surface_pressure_hPa_, {300.0, 1100.0, "hPa"},
+          "pressure at the ground: scales the air and its oxygen at all heights; default: the profile's");
 
   const std::string place =
       "Place: gives gravity and the Earth's radius (default: standard gravity, 6371 km)";
@@ -89,6 +103,9 @@ SkyScene SceneOptions::scene() const {
   scene.wavelengths = WavelengthGrid::parse(wavelengths_);
   scene.air.ground_albedo = albedo_;
   scene.air.ozone_du = ozone_du_;
+  scene.air.water_cm = water_cm_;
+  scene.air.no2_du = no2_du_;
+  scene.air.surface_pressure_hPa = surface_pressure_hPa_;
   if (const std::optional<Place> where = place()) {
     scene.air.gravity_m_s2 = normal_gravity_m_s2(*where);
     scene.air.planet_radius_km = radius_of_curvature_km(*where);
@@ -109,6 +126,9 @@ std::string SceneOptions::command_line() const {
       fmt::format("--profile {} --turbidity-kind {} --albedo {} --wavelengths-nm {} --quality {}", profile_,
                   turbidity_kind_, albedo_, wavelengths_, quality_);
   if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
+  if (water_cm_) text += fmt::format(" --water-cm {}", *water_cm_);
+  if (no2_du_) text += fmt::format(" --no2-du {}", *no2_du_);
+  if (surface_pressure_hPa_) text += fmt::format(" --pressure-hpa {}", *surface_pressure_hPa_);
   if (const std::optional<Place> where = place())
     text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg,
                         where->longitude_deg, where->height_m);

@@ -42,6 +42,9 @@ class SceneOptions {
   std::string wavelengths_ = "380:780:5";
   double albedo_ = 0.2;
   std::optional<double> ozone_du_;
+  std::optional<double> water_cm_;
+  std::optional<double> no2_du_;
+  std::optional<double> surface_pressure_hPa_;
   std::string latitude_;
   std::string longitude_;
   double height_m_ = 0.0;

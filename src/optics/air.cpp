@@ -6,12 +6,16 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/quadrature.hpp"
-#include "skylut/optics/ozone.hpp"
+#include "skylut/optics/gas_cross_sections.hpp"
 #include "skylut/optics/rayleigh.hpp"
 
 namespace skylut {
 
 namespace {
+
+// Reference state of the amounts in LineBand.
+constexpr double kLinePressure_hPa = 1013.25;
+constexpr double kLineTemperature_K = 273.15;
 
 // Layer boundaries: fine where the haze and the observers are, coarse where little air is left.
 std::vector<double> layer_levels_km(double top_km) {
@@ -29,6 +33,13 @@ void check_options(const AirOptions& options) {
     throw InputError("ground albedo {}: must lie within 0-1", options.ground_albedo);
   if (options.ozone_du && !(*options.ozone_du >= 0.0 && *options.ozone_du <= 1000.0))
     throw InputError("ozone column {} DU: must lie within 0-1000 DU", *options.ozone_du);
+  if (options.no2_du && !(*options.no2_du >= 0.0 && *options.no2_du <= 100.0))
+    throw InputError("nitrogen dioxide column {} DU: must lie within 0-100 DU", *options.no2_du);
+  if (options.water_cm && !(*options.water_cm >= 0.0 && *options.water_cm <= 20.0))
+    throw InputError("precipitable water {} cm: must lie within 0-20 cm", *options.water_cm);
+  if (options.surface_pressure_hPa &&
+      !(*options.surface_pressure_hPa >= 300.0 && *options.surface_pressure_hPa <= 1100.0))
+    throw InputError("surface pressure {} hPa: must lie within 300-1100 hPa", *options.surface_pressure_hPa);
   if (!(options.gravity_m_s2 >= 9.7 && options.gravity_m_s2 <= 9.9))
     throw InputError("gravity {} m/s2: must lie within 9.7-9.9 m/s2", options.gravity_m_s2);
   if (!(options.planet_radius_km >= 1000.0))
@@ -36,24 +47,44 @@ void check_options(const AirOptions& options) {
   options.aerosol.validate();
 }
 
+void check_band(double band_nm) {
+  if (!(band_nm > 0.0 && band_nm <= 100.0))
+    throw InputError("band width {} nm: must lie within 0-100 nm, 0 excluded", band_nm);
+}
+
 }  // namespace
 
 Air::Air(Profile profile, AirOptions options) : profile_(std::move(profile)), options_(std::move(options)) {
   check_options(options_);
-  if (options_.ozone_du) scale_gas_column(profile_, "ozone", *options_.ozone_du * kDobsonUnit_per_m2);
+  scale_columns();
   carbon_dioxide_fraction_ =
       profile_.gas("carbon_dioxide")->density_per_m3.front() / air_state(profile_, 0.0).density_per_m3;
 
   shells_.planet_radius_km = options_.planet_radius_km;
   shells_.levels_km = layer_levels_km(profile_.altitude_km.back());
-  absorbers_.push_back({{"ozone", load_ozone_cross_section()}, {}});
+  absorbers_.push_back({{"ozone", "ozone", load_ozone_cross_section()}, {}});
+  absorbers_.push_back({{"no2", "nitrogen_dioxide", load_nitrogen_dioxide_cross_section()}, {}});
+  absorbers_.push_back({{"o2_o2", "oxygen", load_oxygen_pair_cross_section(), true}, {}});
+  line_absorbers_.push_back({"oxygen", "oxygen", load_oxygen_lines(), {}});
+  line_absorbers_.push_back({"water_vapour", "water_vapour", load_water_lines(), {}});
   for (std::size_t layer = 0; layer + 1 < shells_.levels_km.size(); ++layer) {
     const double lower_km = shells_.levels_km[layer];
     const double upper_km = shells_.levels_km[layer + 1];
     air_per_m2_.push_back(air_between_per_m2(lower_km, upper_km));
     for (GasLayers& absorber : absorbers_)
-      absorber.nodes.push_back(gas_nodes(absorber.gas.name, lower_km, upper_km));
+      absorber.nodes.push_back(gas_nodes(absorber.gas.gas_name, absorber.gas.pairs, lower_km, upper_km));
+    for (LineLayers& absorber : line_absorbers_)
+      absorber.nodes.push_back(gas_nodes(absorber.gas_name, false, lower_km, upper_km));
   }
+}
+
+void Air::scale_columns() {
+  if (options_.surface_pressure_hPa) scale_surface_pressure(profile_, *options_.surface_pressure_hPa);
+  if (options_.ozone_du) scale_gas_column(profile_, "ozone", *options_.ozone_du * kDobsonUnit_per_m2);
+  if (options_.no2_du) scale_gas_column(profile_, "nitrogen_dioxide", *options_.no2_du * kDobsonUnit_per_m2);
+  if (options_.water_cm)
+    scale_gas_column(profile_, "water_vapour", *options_.water_cm * water_molecules_per_m2_cm());
+  update_quantities(profile_);
 }
 
 // The air at altitude z under gravity g is that of the profile at z g/g0.
@@ -65,9 +96,11 @@ double Air::air_between_per_m2(double lower_km, double upper_km) const {
          stretch;
 }
 
-std::vector<Air::ColumnNode> Air::gas_nodes(const std::string& name, double lower_km, double upper_km) const {
+std::vector<Air::ColumnNode> Air::gas_nodes(const std::string& gas_name, bool pairs, double lower_km,
+                                            double upper_km) const {
   static const Quadrature rule = gauss_legendre(6, 0.0, 1.0);
-  const GasProfile& gas = *profile_.gas(name);
+  const GasProfile* gas = profile_.gas(gas_name);
+  if (gas == nullptr) return {};
   std::vector<double> edges{lower_km};
   for (double z : profile_.altitude_km)
     if (z > lower_km && z < upper_km) edges.push_back(z);
@@ -77,9 +110,13 @@ std::vector<Air::ColumnNode> Air::gas_nodes(const std::string& name, double lowe
     for (std::size_t k = 0; k < rule.node.size(); ++k) {
       const double thickness_km = edges[i + 1] - edges[i];
       const double z = edges[i] + rule.node[k] * thickness_km;
-      nodes.push_back({air_state(profile_, z).temperature_K,
-                       1000.0 * thickness_km * rule.weight[k] *
-                           interpolate_by_altitude(profile_, gas.density_per_m3, z)});
+      const AirState state = air_state(profile_, z);
+      const double density_per_m3 = interpolate_by_altitude(profile_, gas->density_per_m3, z);
+      nodes.push_back(
+          {state.temperature_K,
+           1000.0 * thickness_km * rule.weight[k] * density_per_m3 * (pairs ? density_per_m3 : 1.0),
+           std::log(state.pressure_hPa / kLinePressure_hPa),
+           std::log(kLineTemperature_K / state.temperature_K)});
     }
   return nodes;
 }
@@ -90,6 +127,31 @@ double Air::absorption_depth(const CrossSection& cross_section, const std::vecto
   for (const ColumnNode& node : nodes)
     depth += node.column_per_m2 * cross_section.at_m2(wavelength_nm, node.temperature_K);
   return depth;
+}
+
+double Air::scaled_amount_per_m2(const LineBand& band, const std::vector<ColumnNode>& nodes) {
+  double amount = 0.0;
+  for (const ColumnNode& node : nodes)
+    amount += node.column_per_m2 * std::exp(band.pressure_exponent * node.log_pressure +
+                                            band.temperature_exponent * node.log_inverse_temperature);
+  return amount;
+}
+
+Constituent Air::line_constituent(const LineLayers& absorber, double wavelength_nm, double band_nm,
+                                  bool few_terms) const {
+  const LineBand band = absorber.lines.band(wavelength_nm, band_nm);
+  std::vector<double> amounts_per_m2;
+  double whole_per_m2 = 0.0;
+  for (const std::vector<ColumnNode>& layer : absorber.nodes) {
+    amounts_per_m2.push_back(band.sum.size() > 1 ? scaled_amount_per_m2(band, layer) : 0.0);
+    whole_per_m2 += amounts_per_m2.back();
+  }
+  Constituent constituent{absorber.name, {}};
+  for (const Exponential& term : few_terms ? fit_exponentials(band.sum, whole_per_m2) : band.sum) {
+    constituent.terms.push_back({term.weight, amounts_per_m2});
+    for (double& depth : constituent.terms.back().depth) depth *= term.coefficient;
+  }
+  return constituent;
 }
 
 double Air::aerosol_fraction(double lower_km, double upper_km, double aod500) const {
@@ -109,40 +171,94 @@ void Air::check(double wavelength_nm, double aod500) {
     throw InputError("aerosol optical depth {}: must be finite and not negative", aod500);
 }
 
-OpticalColumn Air::column(double wavelength_nm, double aod500) const {
-  check(wavelength_nm, aod500);
+std::vector<Constituent> Air::smooth_constituents(double wavelength_nm, double aod500) const {
+  const std::size_t layers = air_per_m2_.size();
+  const auto constituent = [&](std::string name, const auto& depth_of_layer) {
+    AbsorptionTerm term{1.0, std::vector<double>(layers)};
+    for (std::size_t layer = 0; layer < layers; ++layer) term.depth[layer] = depth_of_layer(layer);
+    return Constituent{std::move(name), {std::move(term)}};
+  };
+  std::vector<Constituent> result;
   const double rayleigh_m2 = rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_);
+  result.push_back(
+      constituent("rayleigh", [&](std::size_t layer) { return rayleigh_m2 * air_per_m2_[layer]; }));
+  for (const GasLayers& absorber : absorbers_)
+    result.push_back(constituent(absorber.gas.name, [&](std::size_t layer) {
+      return absorption_depth(absorber.gas.cross_section, absorber.nodes[layer], wavelength_nm);
+    }));
   const double aerosol_depth = aod500 * options_.aerosol.relative_depth(wavelength_nm);
-  const double aerosol_albedo = options_.aerosol.single_scattering_albedo_at(wavelength_nm);
+  result.push_back(constituent("aerosol", [&](std::size_t layer) {
+    return aod500 > 0.0 ? aerosol_depth *
+                              aerosol_fraction(shells_.levels_km[layer], shells_.levels_km[layer + 1], aod500)
+                        : 0.0;
+  }));
+  return result;
+}
 
+OpticalColumn Air::scattering_column(double wavelength_nm, const std::vector<Constituent>& constituents,
+                                     double aod500) const {
   OpticalColumn column;
   column.ground_albedo = options_.ground_albedo;
-  Scatterer molecules{
-      std::make_shared<RayleighPhaseFunction>(depolarisation_of_air(wavelength_nm, carbon_dioxide_fraction_)),
-      {}};
-  Scatterer aerosol{options_.aerosol.phase_function(wavelength_nm), {}};
-  for (std::size_t layer = 0; layer < air_per_m2_.size(); ++layer) {
-    const double scattering = rayleigh_m2 * air_per_m2_[layer];
-    double extinction = scattering;
-    molecules.scattering_depth.push_back(scattering);
-    for (const GasLayers& absorber : absorbers_)
-      extinction += absorption_depth(absorber.gas.cross_section, absorber.nodes[layer], wavelength_nm);
-    if (aod500 > 0.0) {
-      const double haze =
-          aerosol_depth * aerosol_fraction(shells_.levels_km[layer], shells_.levels_km[layer + 1], aod500);
-      extinction += haze;
-      aerosol.scattering_depth.push_back(aerosol_albedo * haze);
-    }
-    column.extinction_depth.push_back(extinction);
+  column.extinction_depth.assign(air_per_m2_.size(), 0.0);
+  column.scatterers.push_back({std::make_shared<RayleighPhaseFunction>(
+                                   depolarisation_of_air(wavelength_nm, carbon_dioxide_fraction_)),
+                               constituents.front().terms.front().depth});
+  if (aod500 > 0.0) {
+    const double albedo = options_.aerosol.single_scattering_albedo_at(wavelength_nm);
+    Scatterer aerosol{options_.aerosol.phase_function(wavelength_nm),
+                      constituents.back().terms.front().depth};
+    for (double& depth : aerosol.scattering_depth) depth *= albedo;
+    column.scatterers.push_back(std::move(aerosol));
   }
-  column.scatterers.push_back(std::move(molecules));
-  if (aod500 > 0.0) column.scatterers.push_back(std::move(aerosol));
   return column;
 }
 
-std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double aod500,
-                                                  double altitude_km) const {
+OpticalColumn Air::column(double wavelength_nm, double aod500) const {
   check(wavelength_nm, aod500);
+  const std::vector<Constituent> constituents = smooth_constituents(wavelength_nm, aod500);
+  OpticalColumn column = scattering_column(wavelength_nm, constituents, aod500);
+  for (const Constituent& constituent : constituents)
+    for (std::size_t layer = 0; layer < air_per_m2_.size(); ++layer)
+      column.extinction_depth[layer] += constituent.terms.front().depth[layer];
+  return column;
+}
+
+std::vector<Constituent> Air::all_constituents(double wavelength_nm, double band_nm, double aod500,
+                                               bool few_terms) const {
+  check(wavelength_nm, aod500);
+  check_band(band_nm);
+  std::vector<Constituent> constituents = smooth_constituents(wavelength_nm, aod500);
+  for (const LineLayers& absorber : line_absorbers_)
+    constituents.insert(constituents.end() - 1,
+                        line_constituent(absorber, wavelength_nm, band_nm, few_terms));
+  return constituents;
+}
+
+std::vector<Constituent> Air::constituents(double wavelength_nm, double band_nm, double aod500) const {
+  return all_constituents(wavelength_nm, band_nm, aod500, false);
+}
+
+std::vector<ColumnTerm> Air::band_columns(double wavelength_nm, double band_nm, double aod500) const {
+  const std::vector<Constituent> constituents = all_constituents(wavelength_nm, band_nm, aod500, true);
+  std::vector<ColumnTerm> columns{{1.0, scattering_column(wavelength_nm, constituents, aod500)}};
+  for (const Constituent& constituent : constituents) {
+    std::vector<ColumnTerm> product;
+    for (const ColumnTerm& before : columns)
+      for (const AbsorptionTerm& term : constituent.terms) {
+        product.push_back(before);
+        product.back().weight *= term.weight;
+        for (std::size_t layer = 0; layer < air_per_m2_.size(); ++layer)
+          product.back().column.extinction_depth[layer] += term.depth[layer];
+      }
+    columns = std::move(product);
+  }
+  return columns;
+}
+
+std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double aod500, double altitude_km,
+                                                  double band_nm) const {
+  check(wavelength_nm, aod500);
+  check_band(band_nm);
   const double top_km = shells_.levels_km.back();
   if (!(altitude_km >= 0.0 && altitude_km <= top_km))
     throw InputError("altitude {} km: must lie within 0-{} km", altitude_km, top_km);
@@ -150,9 +266,16 @@ std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double a
   depths.push_back({"rayleigh", rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_) *
                                     air_between_per_m2(altitude_km, top_km)});
   for (const GasLayers& absorber : absorbers_)
-    depths.push_back({absorber.gas.name,
-                      absorption_depth(absorber.gas.cross_section,
-                                       gas_nodes(absorber.gas.name, altitude_km, top_km), wavelength_nm)});
+    depths.push_back({absorber.gas.name, absorption_depth(absorber.gas.cross_section,
+                                                          gas_nodes(absorber.gas.gas_name, absorber.gas.pairs,
+                                                                    altitude_km, top_km),
+                                                          wavelength_nm)});
+  for (const LineLayers& absorber : line_absorbers_) {
+    const LineBand band = absorber.lines.band(wavelength_nm, band_nm);
+    const double amount =
+        scaled_amount_per_m2(band, gas_nodes(absorber.gas_name, false, altitude_km, top_km));
+    depths.push_back({absorber.name, std::max(0.0, -std::log(transmittance(band.sum, amount)))});
+  }
   const double aerosol = aod500 > 0.0 ? aod500 * options_.aerosol.relative_depth(wavelength_nm) *
                                             aerosol_fraction(altitude_km, top_km, aod500)
                                       : 0.0;

@@ -97,6 +97,10 @@ std::vector<LevelQuantities> physical_quantities(const Profile& profile) {
   return levels;
 }
 
+void update_quantities(Profile& profile) {
+  if (!profile.quantities_printed) profile.quantities = physical_quantities(profile);
+}
+
 std::vector<LevelQuantities> report_quantities(const Profile& profile, const Report2005& report) {
   std::vector<LevelQuantities> levels;
   for (std::size_t i = 0;

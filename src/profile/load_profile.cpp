@@ -155,13 +155,14 @@ Profile load_profile(const std::string& name_or_path) {
   if (profile.altitude_km.back() < kAtmosphereTop_km) continue_to_top(profile, load_profile(kStandardName));
   if (file.report_2005) {
     profile.quantities = report_quantities(profile, *file.report_2005);
+    profile.quantities_printed = true;
     profile.quantities_source =
         "UTM report 2005, eqs. 3.7, 3.11, 3.12; humidity and water as printed in its Table 3.1";
     set_ozone_above(profile, profile.quantities.back().ozone_atm_cm * 1000.0 * kDobsonUnit_per_m2);
   }
   scale_totals(file.total, path, profile);
   if (!file.report_2005) {
-    profile.quantities = physical_quantities(profile);
+    update_quantities(profile);
     profile.quantities_source =
         "integrals of the profile; oxygen and carbon dioxide paths by UTM report 2005 eq. 3.11";
   }

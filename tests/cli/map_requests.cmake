@@ -12,6 +12,10 @@ skylut_refuses(map_picture_full 1 "sky_rgb.exr: cannot write: No space left" map
 
 skylut_refuses(map_altitude_31 2 "--altitude-km '31'.*0 to 30" map -o sky.csv --sun-zenith-deg 45 --altitude-km 31)
 skylut_refuses(map_altitude_negative 2 "--altitude-km '-1'" map -o sky.csv --sun-zenith-deg 45 --altitude-km -1)
+skylut_refuses(map_water_negative 2 "--water-cm '-1'.*0 to 20 cm" map -o sky.csv --sun-zenith-deg 45 --water-cm -1)
+skylut_refuses(map_no2_word 2 "--no2-du 'much'" map -o sky.csv --sun-zenith-deg 45 --no2-du much)
+skylut_refuses(map_pressure_in_pascal 2 "--pressure-hpa '101325'.*300 to 1100 hPa" map -o sky.csv
+  --sun-zenith-deg 45 --pressure-hpa 101325)
 skylut_refuses(map_turbidity_negative 2 "--turbidity '-0.1'" map -o sky.csv --sun-zenith-deg 45 --turbidity -0.1)
 skylut_refuses(map_turbidity_kind_alone 2 "--turbidity-kind: needs --turbidity" map -o sky.csv --sun-zenith-deg 45
   --turbidity-kind preetham-t)

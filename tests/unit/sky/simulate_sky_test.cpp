@@ -77,6 +77,26 @@ TEST(SimulateSky, ColourFollowsFromTheRadiances) {
   EXPECT_NEAR(map.colour[1].y, expected.y, 1e-12);
 }
 
+// Bands of lines are several lanes: their weighted sum is darker than without the gas, depends on no thread,
+// and a map still not on its company.
+TEST(SimulateSky, BandsOfLines) {
+  SkyScene scene = small_scene();
+  scene.wavelengths = WavelengthGrid(690.0, 720.0, 10.0);
+  TransferOptions options = draft();
+  options.threads = 1;
+  const std::vector<SkyMap> one = simulate_sky(scene, options);
+  options.threads = 3;
+  const std::vector<SkyMap> three = simulate_sky(scene, options);
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].radiance, three[i].radiance);
+  scene.turbidities.erase(scene.turbidities.begin());
+  EXPECT_EQ(simulate_sky(scene, options)[0].radiance, one[3].radiance);
+  scene.air.water_cm = 0.0;
+  const SkyMap dry = simulate_sky(scene, options)[0];
+  // 720 nm (fourth band): water takes 12 % from the vertical and more from slant paths.
+  EXPECT_LT(one[3].spectrum(1)[3], 0.9 * dry.spectrum(1)[3]);
+  EXPECT_GT(one[3].spectrum(1)[3], 0.6 * dry.spectrum(1)[3]);
+}
+
 // Light falls with the square of the sun's distance.
 TEST(SimulateSky, DistanceToTheSun) {
   SkyScene scene = small_scene();
