@@ -118,11 +118,15 @@ DiscretisationKey discretisation_for(const Medium& medium, const OpticalColumn& 
   DiscretisationKey key;
   key.angles = angles_for(column, medium.limits);
   const OpticalColumn merged = medium.merge.column(column);
-  std::vector<double> scaled_depth = merged.extinction_depth;
+  // Absorption bends the source less than scattering does, and what is absorbed is dark.
+  constexpr double kAbsorptionWeight = 0.25;
+  std::vector<double> scaled_depth;
+  for (const double extinction : merged.extinction_depth)
+    scaled_depth.push_back(kAbsorptionWeight * extinction);
   for (const Scatterer& scatterer : merged.scatterers) {
-    const double peak = scatterer.phase->moment(key.angles.max_l + 1);
+    const double weight = 1.0 - kAbsorptionWeight - scatterer.phase->moment(key.angles.max_l + 1);
     for (std::size_t layer = 0; layer < scaled_depth.size(); ++layer)
-      scaled_depth[layer] -= scatterer.scattering_depth[layer] * peak;
+      scaled_depth[layer] += weight * scatterer.scattering_depth[layer];
   }
   const double optical_step = medium.limits.optical_step;
   const std::vector<int> own = parts_for(scaled_depth, optical_step);
