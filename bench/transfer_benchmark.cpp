@@ -95,9 +95,10 @@ void lines_of_sight_of_a_ring(benchmark::State& state) {
   LocalSun local_sun = block.local_sun(geometry, pairs);
   const DiffuseRay diffuse(block.grid, 0.0, 80.0, local_sun);
   const std::vector<float> phase = geometry.phases(block.optics);
+  const std::vector<float> peaks = geometry.peaks(block.optics);
   std::vector<float> radiance(pairs.size() * block.lanes.size());
   for (auto _ : state) {
-    field->line_of_sight(geometry.view(), diffuse.view(), phase.data(), radiance.data());
+    field->line_of_sight(geometry.view(), diffuse.view(), phase.data(), peaks.data(), radiance.data());
     benchmark::DoNotOptimize(radiance.data());
   }
 }

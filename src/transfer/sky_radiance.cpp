@@ -119,7 +119,7 @@ void answer_ray(const Medium& medium, const WantedRay& ray, std::span<const Bloc
       const auto lanes = static_cast<std::size_t>(block.optics->lanes);
       radiance.resize(pairs.size() * lanes);
       block.field->line_of_sight(geometry.view(), diffuse.view(), geometry.phases(*block.optics).data(),
-                                 radiance.data());
+                                 geometry.peaks(*block.optics).data(), radiance.data());
       for (std::size_t pair = 0; pair < pairs.size(); ++pair)
         for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
           result.at(block.columns[lane], ray.observer, pair / ray.views.size(),

@@ -11,8 +11,10 @@ enum class Quality { draft, standard, reference };
 /// The numbers behind a quality, each of which can be refined by itself to show that the answer has
 /// converged. [docs/validation.md, "Convergence"]
 struct QualityLimits {
-  double optical_step;      ///< largest scaled optical depth of a sublayer, > 0
-  double truncated_peak;    ///< largest share of the scattering that delta-M may cut off as forward peak, > 0
+  double optical_step;  ///< largest scaled optical depth of a sublayer, > 0
+  double
+      truncated_peak;  ///< largest share of the scattering that delta-M may cut off beside narrow peaks, > 0
+  int narrow_peak_degrees;  ///< degrees that are enough for a phase function with a narrow peak, at most 30
   double polar_per_degree;  ///< polar nodes per hemisphere, per Legendre degree, > 0
   int least_polar_nodes;    ///< 4 to 64
   /// Sun nodes: 0 are the 33 chosen ones; 1, 2, 4 put one at every half, quarter, eighth of a degree around

@@ -55,6 +55,7 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
   layers = zero_layers(shells, degrees, width);
   sweep_layers = zero_layers(grid.medium.merge.shells(), degrees, width);
   scattering_per_km.resize(static_cast<std::size_t>(scatterers) * layer_count * width);
+  peak_per_km.resize(layer_count * width);
 
   for (std::size_t lane = 0; lane < width; ++lane) {
     const OpticalColumn& one = *column[lane];
@@ -62,6 +63,16 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
     scale_column(shells, one, degrees, delta_m, lane, width, layers);
     scale_column(grid.medium.merge.shells(), grid.medium.merge.column(one), degrees, delta_m, lane, width,
                  sweep_layers);
+    for (std::size_t layer = 0; layer < layer_count; ++layer) {
+      const double thickness_km = shells.levels_km[layer + 1] - shells.levels_km[layer];
+      const double whole = one.extinction_depth[layer] / thickness_km;
+      const std::size_t at = layer * width + lane;
+      peak_per_km[at] = delta_m ? static_cast<float>(whole) - layers.extinction_per_km[at] : 0.0f;
+    }
+    for (const Scatterer& scatterer : one.scatterers)
+      spread_.emplace_back(*scatterer.phase, grid.angles.resolution().max_l);
+    for (std::size_t s = one.scatterers.size(); s < static_cast<std::size_t>(scatterers); ++s)
+      spread_.push_back(spread_.back());
     for (std::size_t s = 0; s < one.scatterers.size(); ++s)
       for (std::size_t layer = 0; layer < layer_count; ++layer)
         scattering_per_km[(s * layer_count + layer) * width + lane] =
@@ -78,6 +89,17 @@ void BlockOptics::phase_values(double cos_scattering_angle, float* value) const 
           s < column[lane]->scatterers.size()
               ? static_cast<float>(column[lane]->scatterers[s].phase->value(cos_scattering_angle))
               : 0.0f;
+}
+
+void BlockOptics::peak_values(double cos_scattering_angle, float* value) const {
+  const auto width = static_cast<std::size_t>(lanes);
+  const auto count = static_cast<std::size_t>(scatterers);
+  for (std::size_t lane = 0; lane < width; ++lane)
+    for (std::size_t s = 0; s < count; ++s) {
+      const PeakSpread::Coefficients spread = spread_[lane * count + s].at(cos_scattering_angle);
+      value[s * width + lane] = static_cast<float>(spread.first);
+      value[(count + s) * width + lane] = static_cast<float>(spread.second);
+    }
 }
 
 }  // namespace skylut::transfer

@@ -5,6 +5,7 @@
 
 #include "discretisation.hpp"
 #include "kernel_problem.hpp"
+#include "peak_spread.hpp"
 
 namespace skylut::transfer {
 
@@ -31,14 +32,21 @@ struct BlockOptics {
   ScaledLayers layers;                   ///< of the medium, for lines of sight and the sunbeam
   ScaledLayers sweep_layers;             ///< merged, for the sweep
   std::vector<float> scattering_per_km;  ///< [scatterer][layer][lane], not scaled: exact single scattering
+  std::vector<float> peak_per_km;        ///< [layer][lane]: scattering that delta-M takes for none
   std::vector<float> ground_albedo;      ///< [lane]
 
   OpticsView view() const {
-    return {scatterers, layers.view(), sweep_layers.view(), scattering_per_km.data(), ground_albedo.data()};
+    return {scatterers,         layers.view(),       sweep_layers.view(), scattering_per_km.data(),
+            peak_per_km.data(), ground_albedo.data()};
   }
 
   /// Exact phase function of each scatterer and lane at one scattering angle: [scatterer][lane].
   void phase_values(double cos_scattering_angle, float* value) const;
+  /// What spreads their peaks: [first, second][scatterer][lane].
+  void peak_values(double cos_scattering_angle, float* value) const;
+
+ private:
+  std::vector<PeakSpread> spread_;  // [lane][scatterer]
 };
 
 }  // namespace skylut::transfer

@@ -79,32 +79,56 @@ std::vector<int> common_parts(const Shells& shells, const std::vector<double>& d
   }
 }
 
-/// Share χ_l of a layer's scattering that degree l still carries, at most over the layers that matter.
-double largest_moment(const OpticalColumn& column, int l) {
+/// Share of a layer's scattering that delta-M cuts off with the degrees beyond max_l and that is not a peak
+/// narrow enough to pass for unscattered: f = χ_{L+1} less what is left of it at 4/3 of that degree.
+struct CutOff {
+  double peak;
+  double wide_part;
+};
+
+/// The largest over the layers that matter.
+CutOff cut_off(const OpticalColumn& column, int max_l) {
+  const int first = max_l + 1;
+  const int later = (4 * first + 2) / 3;
   double total = 0.0;
-  for (const Scatterer& scatterer : column.scatterers)
+  std::vector<double> at_first;
+  std::vector<double> at_later;
+  for (const Scatterer& scatterer : column.scatterers) {
+    at_first.push_back(scatterer.phase->moment(first));
+    at_later.push_back(scatterer.phase->moment(later));
     for (const double depth : scatterer.scattering_depth) total += depth;
-  double largest = 0.0;
+  }
+  CutOff largest{0.0, 0.0};
   for (std::size_t layer = 0; layer < column.extinction_depth.size(); ++layer) {
     double scattering = 0.0;
-    double moment = 0.0;
-    for (const Scatterer& scatterer : column.scatterers) {
-      scattering += scatterer.scattering_depth[layer];
-      moment += scatterer.scattering_depth[layer] * scatterer.phase->moment(l);
+    double peak = 0.0;
+    double narrow = 0.0;
+    for (std::size_t s = 0; s < column.scatterers.size(); ++s) {
+      const double depth = column.scatterers[s].scattering_depth[layer];
+      scattering += depth;
+      peak += depth * at_first[s];
+      narrow += depth * at_later[s];
     }
-    if (scattering > 1e-3 * total) largest = std::max(largest, std::abs(moment) / scattering);
+    if (scattering <= 1e-3 * total) continue;
+    largest.peak = std::max(largest.peak, std::abs(peak) / scattering);
+    largest.wide_part = std::max(largest.wide_part, std::abs(peak - narrow) / scattering);
   }
   return largest;
 }
 
-/// Legendre degrees until delta-M cuts off little; the rest follows from the degrees. A Rayleigh sky needs
-/// no more than degree 2, although its radiance holds higher ones: they do not enter the source.
+/// Legendre degrees until delta-M cuts off little but a narrow peak; the rest follows from the degrees. A
+/// Rayleigh sky needs no more than degree 2, although its radiance holds higher ones: they do not enter the
+/// source.
 AngularResolution angles_for(const OpticalColumn& column, const QualityLimits& limits) {
   constexpr int kMostDegrees = 30;
+  // Diffraction by large particles: PeakSpread restores it around the sun.
+  constexpr double kNarrow = 0.4;
   AngularResolution angles;
-  angles.max_l = 2;
-  while (angles.max_l < kMostDegrees && largest_moment(column, angles.max_l + 1) > limits.truncated_peak)
-    angles.max_l += 2;
+  for (angles.max_l = 2; angles.max_l < kMostDegrees; angles.max_l += 2) {
+    const CutOff cut = cut_off(column, angles.max_l);
+    if (cut.wide_part <= limits.truncated_peak) break;
+    if (angles.max_l >= limits.narrow_peak_degrees && cut.wide_part <= kNarrow * cut.peak) break;
+  }
   angles.max_m = (3 * angles.max_l + 3) / 4;
   angles.azimuth_nodes = (angles.max_m + 2) / 2 * 2;
   angles.polar_nodes =

@@ -74,6 +74,7 @@ struct OpticsView {
   LayerView layers;
   LayerView sweep_layers;
   const float* scattering_per_km;
+  const float* peak_per_km;  ///< [layer][lane]: what delta-M takes for unscattered
   const float* ground_albedo;
 };
 
@@ -104,9 +105,10 @@ struct RayView {
   int pairs;
   bool hits_ground;
   const RaySegment* segment;
-  const LitPart* lit;              ///< of the first segment, then of the next
-  const int* first_lit;            ///< [segment], with one past the last
-  const SunDepthTaps* lit_end;     ///< ends of the lit parts
+  const LitPart* lit;           ///< of the first segment, then of the next
+  const int* first_lit;         ///< [segment], with one past the last
+  const int* aureole;           ///< [pair]: its place in the phase functions' peaks; -1: too far from the sun
+  const SunDepthTaps* lit_end;  ///< ends of the lit parts
   const SunDepthTaps* ground_sun;  ///< [pair], where the ray ends on the ground
   const float* ground_sun_cosine;  ///< [pair]
 };
@@ -144,9 +146,10 @@ class SolvedBlock {
  public:
   virtual ~SolvedBlock() = default;
   /// @param phase     exact phase functions at the pairs' scattering angles, [pair][scatterer][lane]
+  /// @param peaks     PeakSpread's coefficients, [aureole][first, second][scatterer][lane]
   /// @param radiance  sr⁻¹, [pair][lane]
   virtual void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
-                             float* radiance) const = 0;
+                             const float* peaks, float* radiance) const = 0;
 };
 
 /// Solves the diffuse field of one block; the views must outlive the result. The caller owns it.

@@ -53,34 +53,55 @@ struct RayScratch {
   LaneArray<V> radiance;          // [pair]
 };
 
+/// What the medium's scattering towards the sun's neighbourhood gains and loses because the truncated peak
+/// spreads the light by `peak_depth`, the depth of the peak on the whole way. [L5]
+template <class V>
+inline V spread_scattering(const float* scattering_per_km, std::ptrdiff_t stride, const float* peaks,
+                           int scatterers, V peak_depth) {
+  const V m = lane_min(peak_depth, broadcast<V>(1.0f));  // the series has two terms
+  V gained{};
+  for (int s = 0; s < scatterers; ++s)
+    gained +=
+        load<V>(scattering_per_km + s * stride) *
+        (load<V>(peaks + (scatterers + s) * kLaneCount<V>) * (0.5f * m) - load<V>(peaks + s * kLaneCount<V>));
+  return gained * m;
+}
+
 /// Single scattering of the sun for all pairs, segment by segment, so that what they look up of the sun's
-/// depth lies close together. [L1, L2]
+/// depth lies close together. [L1, L2, L5]
 template <class V>
 inline void single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                              const float* phases, const SunDepth<V>& sun_depth, RayScratch<V>& scratch,
-                              V* out) {
-  const int layers = grid.sun_depth.layers;
+                              const float* phases, const float* peaks, const SunDepth<V>& sun_depth,
+                              const SunDepth<V>& sun_peak_depth, RayScratch<V>& scratch, V* out) {
+  const std::ptrdiff_t stride = grid.sun_depth.layers * kLaneCount<V>;
   V* const far_depth = scratch.far_depth.data();
   V depth{};
+  V peak_depth{};
   for (int segment = 0; segment < ray.segments; ++segment) {
     const int layer = ray.segment[segment].layer;
     const V beta = load<V>(optics.layers.extinction_per_km + layer * kLaneCount<V>);
+    const V peak = load<V>(optics.peak_per_km + layer * kLaneCount<V>);
     const float* scattering_per_km = optics.scattering_per_km + layer * kLaneCount<V>;
     for (int part = ray.first_lit[segment]; part < ray.first_lit[segment + 1]; ++part) {
       const LitPart& lit = ray.lit[part];
+      const SunDepthTaps& far_end = ray.lit_end[lit.near_end + 1];
       const float* phase = phases + lit.pair * optics.scatterers * kLaneCount<V>;
       V scattering{};
       for (int s = 0; s < optics.scatterers; ++s)
-        scattering +=
-            load<V>(scattering_per_km + s * layers * kLaneCount<V>) * load<V>(phase + s * kLaneCount<V>);
+        scattering += load<V>(scattering_per_km + s * stride) * load<V>(phase + s * kLaneCount<V>);
+      if (ray.aureole[lit.pair] >= 0)
+        scattering += spread_scattering(
+            scattering_per_km, stride, peaks + ray.aureole[lit.pair] * 2 * optics.scatterers * kLaneCount<V>,
+            optics.scatterers, peak_depth + peak * (lit.start_km + lit.length_km) + sun_peak_depth(far_end));
       const V start_depth = depth + beta * lit.start_km;
       const V near_depth =
           lit.continues ? far_depth[lit.pair] : start_depth + sun_depth(ray.lit_end[lit.near_end]);
-      const V end_depth = start_depth + beta * lit.length_km + sun_depth(ray.lit_end[lit.near_end + 1]);
+      const V end_depth = start_depth + beta * lit.length_km + sun_depth(far_end);
       far_depth[lit.pair] = end_depth;
       out[lit.pair] += scattering * mean_attenuation(near_depth, end_depth) * (lit.length_km * 0.0795774715f);
     }
     depth += beta * ray.segment[segment].length_km;
+    peak_depth += peak * ray.segment[segment].length_km;
   }
 }
 
@@ -193,15 +214,16 @@ class SolvedLanes final : public SolvedBlock {
               DiffuseField<V>& field)
       : optics_(optics),
         sun_depth_(static_cast<SunDepth<V>&&>(sun_depth)),
+        sun_peak_depth_(grid.sun_depth, optics.peak_per_km),
         solution_{grid, field.take_moments(), field.take_ground_irradiance()} {}
 
   /// Radiance of the ray for every pair: L1 + L3 + L4.
   void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
-                     float* radiance) const override {
+                     const float* peaks, float* radiance) const override {
     const SweepView& grid = solution_.grid;
     RayScratch<V> scratch(grid, ray, diffuse);
     V* out = scratch.radiance.data();
-    single_scattering(grid, optics_, ray, phase, sun_depth_, scratch, out);
+    single_scattering(grid, optics_, ray, phase, peaks, sun_depth_, sun_peak_depth_, scratch, out);
     diffuse_scattering(grid, optics_, ray, diffuse, solution_, scratch, out);
     if (ray.hits_ground) ground_in_view(optics_, ray, diffuse, sun_depth_, solution_, out);
     __builtin_memcpy(radiance, out, static_cast<std::size_t>(ray.pairs) * sizeof(V));
@@ -210,13 +232,14 @@ class SolvedLanes final : public SolvedBlock {
  private:
   OpticsView optics_;
   SunDepth<V> sun_depth_;
+  SunDepth<V> sun_peak_depth_;  // of the forward peak that delta-M cuts off
   Solution<V> solution_;
 };
 
 template <class V>
 inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
                                 const IterationLimits& limits) {
-  SunDepth<V> sun_depth(grid.sun_depth, optics);
+  SunDepth<V> sun_depth(grid.sun_depth, optics.layers.extinction_per_km);
   DiffuseField<V> field(grid, optics, sun_depth);
   return field.solve(limits) ? new SolvedLanes<V>(grid, optics, static_cast<SunDepth<V>&&>(sun_depth), field)
                              : nullptr;

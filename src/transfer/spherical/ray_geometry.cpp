@@ -7,6 +7,14 @@
 
 namespace skylut::transfer {
 
+namespace {
+
+/// The aureole, in which the spread of forward peaks is felt: 20° around the sun, fading out from 15°.
+constexpr double kAureoleCosine = 0.9396926;
+constexpr double kFadeCosine = 0.9659258;
+
+}  // namespace
+
 RayGeometry::RayGeometry(const Medium& medium, double observer_km, double view_zenith_deg,
                          std::span<const SunAzimuth> pairs) {
   const RayTrace trace(medium.layers, medium.limits.ray_step_km, observer_km,
@@ -21,6 +29,7 @@ RayGeometry::RayGeometry(const Medium& medium, double observer_km, double view_z
   }
   const RayPoint& end = trace.points.back();
   std::vector<std::vector<LitPart>> lit(segment_.size());
+  int aureoles = 0;
   for (const SunAzimuth& pair : pairs) {
     const SunlitRay ray(medium.sun_depth, medium.shells.planet_radius_km, trace.points.front(),
                         pair.sun_zenith_deg * kRadiansPerDegree,
@@ -28,6 +37,7 @@ RayGeometry::RayGeometry(const Medium& medium, double observer_km, double view_z
     ray.append_parts(trace.points, medium.limits.sunbeam_step_km, static_cast<int>(cos_scattering_.size()),
                      lit, lit_end_);
     cos_scattering_.push_back(ray.cos_scattering());
+    aureole_.push_back(ray.cos_scattering() > kAureoleCosine ? aureoles++ : -1);
     const double cosine = hits_ground_ ? ray.cos_sun(end.distance_km, 0.0) : -1.0;
     ground_sun_cosine_.push_back(static_cast<float>(cosine));
     ground_sun_.push_back(medium.sun_depth.taps_towards(0.0, cosine));
@@ -47,9 +57,24 @@ std::vector<float> RayGeometry::phases(const BlockOptics& optics) const {
   return phase;
 }
 
+std::vector<float> RayGeometry::peaks(const BlockOptics& optics) const {
+  const auto stride = static_cast<std::size_t>(2 * optics.scatterers * optics.lanes);
+  std::vector<float> peak;
+  for (std::size_t pair = 0; pair < cos_scattering_.size(); ++pair) {
+    if (aureole_[pair] < 0) continue;
+    peak.resize(peak.size() + stride);
+    optics.peak_values(cos_scattering_[pair], peak.data() + peak.size() - stride);
+    // Faded out, so that no edge shows where the correction ends.
+    const double inside = (cos_scattering_[pair] - kAureoleCosine) / (kFadeCosine - kAureoleCosine);
+    if (inside < 1.0)
+      for (std::size_t i = peak.size() - stride; i < peak.size(); ++i) peak[i] *= static_cast<float>(inside);
+  }
+  return peak;
+}
+
 RayView RayGeometry::view() const {
-  return {segments(),        pairs(),         hits_ground_,       segment_.data(),          lit_.data(),
-          first_lit_.data(), lit_end_.data(), ground_sun_.data(), ground_sun_cosine_.data()};
+  return {segments(),        pairs(),         hits_ground_,    segment_.data(),    lit_.data(),
+          first_lit_.data(), aureole_.data(), lit_end_.data(), ground_sun_.data(), ground_sun_cosine_.data()};
 }
 
 }  // namespace skylut::transfer

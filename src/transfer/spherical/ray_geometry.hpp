@@ -27,6 +27,9 @@ class RayGeometry {
 
   /// Exact phase functions of a block at the scattering angles of the pairs: [pair][scatterer][lane].
   std::vector<float> phases(const BlockOptics& optics) const;
+  /// What spreads the phase functions' peaks, for the pairs close to the sun: [aureole][first,
+  /// second][scatterer][lane].
+  std::vector<float> peaks(const BlockOptics& optics) const;
 
  private:
   RayPoint start_{};
@@ -38,6 +41,7 @@ class RayGeometry {
   std::vector<SunDepthTaps> ground_sun_;
   std::vector<float> ground_sun_cosine_;
   std::vector<double> cos_scattering_;
+  std::vector<int> aureole_;
 };
 
 }  // namespace skylut::transfer

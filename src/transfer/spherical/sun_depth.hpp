@@ -11,8 +11,9 @@ namespace skylut::transfer {
 template <class V>
 class SunDepth {
  public:
-  SunDepth(const SunDepthView& grid, const OpticsView& optics)
-      : extinction_per_km_(optics.layers.extinction_per_km),
+  /// @param extinction_per_km  [layer][lane] of the medium; must outlive this object
+  SunDepth(const SunDepthView& grid, const float* extinction_per_km)
+      : extinction_per_km_(extinction_per_km),
         rising_(static_cast<std::size_t>(grid.rising_points)),
         half_(static_cast<std::size_t>(grid.half_points)) {
     fill(rising_, grid.rising_path_km, grid.layers);

@@ -1,0 +1,46 @@
+#include "peak_spread.hpp"
+
+#include <cmath>
+
+namespace skylut::transfer {
+
+namespace {
+
+// A peak as small as this needs no correction.
+constexpr double kLeastPeak = 1e-3;
+// Terms are summed until a moment has fallen to this share of the peak: the rest is felt within a degree of
+// the sun at most.
+constexpr double kLeastShare = 2e-3;
+constexpr int kMostTerms = 600;
+
+}  // namespace
+
+PeakSpread::PeakSpread(const PhaseFunction& phase, int max_l) {
+  const double peak = phase.moment(max_l + 1);
+  if (peak < kLeastPeak) return;
+  for (int l = 0; l <= kMostTerms; ++l) {
+    const double p = l <= max_l ? 1.0 : phase.moment(l) / peak;
+    if (std::abs(p) < kLeastShare) break;
+    const double whole = (2.0 * l + 1.0) * peak * p;
+    term_.push_back({whole * (1.0 - p / 2.0), whole * (1.0 - p + p * p / 3.0)});
+  }
+}
+
+PeakSpread::Coefficients PeakSpread::at(double cos_scattering_angle) const {
+  // Legendre polynomials by (l+1) P_{l+1} = (2l+1) x P_l - l P_{l-1}.
+  const double x = cos_scattering_angle;
+  Coefficients sum;
+  double before = 0.0;
+  double value = 1.0;
+  for (std::size_t i = 0; i < term_.size(); ++i) {
+    sum.first += term_[i].first * value;
+    sum.second += term_[i].second * value;
+    const double l = static_cast<double>(i);
+    const double next = ((2.0 * l + 1.0) * x * value - l * before) / (l + 1.0);
+    before = value;
+    value = next;
+  }
+  return sum;
+}
+
+}  // namespace skylut::transfer
