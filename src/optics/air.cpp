@@ -25,8 +25,7 @@ std::vector<double> layer_levels_km(double top_km) {
 }
 
 void check_options(const AirOptions& options) {
-  if (!(options.ground_albedo >= 0.0 && options.ground_albedo <= 1.0))
-    throw InputError("ground albedo {}: must lie within 0-1", options.ground_albedo);
+  options.ground_albedo.validate();
   if (options.ozone_du && !(*options.ozone_du >= 0.0 && *options.ozone_du <= 1000.0))
     throw InputError("ozone column {} DU: must lie within 0-1000 DU", *options.ozone_du);
   if (!(options.gravity_m_s2 >= 9.7 && options.gravity_m_s2 <= 9.9))
@@ -116,7 +115,7 @@ OpticalColumn Air::column(double wavelength_nm, double aod500) const {
   const double aerosol_albedo = options_.aerosol.single_scattering_albedo_at(wavelength_nm);
 
   OpticalColumn column;
-  column.ground_albedo = options_.ground_albedo;
+  column.ground_albedo = options_.ground_albedo.at(wavelength_nm);
   Scatterer molecules{
       std::make_shared<RayleighPhaseFunction>(depolarisation_of_air(wavelength_nm, carbon_dioxide_fraction_)),
       {}};

@@ -7,6 +7,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/optics/absorbing_gas.hpp"
 #include "skylut/optics/aerosol.hpp"
+#include "skylut/optics/ground_albedo.hpp"
 #include "skylut/optics/optical_state.hpp"
 #include "skylut/profile/profile.hpp"
 
@@ -14,7 +15,7 @@ namespace skylut {
 
 /// What a profile leaves open.
 struct AirOptions {
-  double ground_albedo = 0.2;  ///< Lambertian, [0, 1]
+  GroundAlbedo ground_albedo = 0.2;  ///< Lambertian, [0, 1]
   std::optional<double>
       ozone_du;  ///< column above the ground, Dobson units, [0, 1000]; default: the profile's
   /// Gravity at the ground; profiles are in balance under standard gravity, see Air. [9.7, 9.9].
