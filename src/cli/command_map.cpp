@@ -70,6 +70,8 @@ void add_sun(const MapOptions& options, SkyScene& scene) {
     scene.suns = {{options.sun_zenith_deg, options.sun_azimuth_deg}};
     return;
   }
+  if (options.scene.has_date())
+    throw InputError("--time {}: gives the date, must not be given with --date", options.time);
   if (by_angles || options.sun_azimuth_option->count() > 0)
     throw InputError("--time {}: gives the sun, must not be given with {}", options.time,
                      by_angles ? "--sun-zenith-deg" : "--sun-azimuth-deg");

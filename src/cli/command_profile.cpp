@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "profile_report.hpp"
+#include "scene_options.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/optics/turbidity.hpp"
 #include "skylut/profile/profile.hpp"
@@ -26,12 +27,12 @@ struct ShowOptions {
   std::string longitude = "0";
   double height_m = 0.0;
   std::optional<double> ozone_du;
-  double albedo = 0.2;
+  std::string albedo = "0.2";
 };
 
 AirOptions air_options(const ShowOptions& options) {
   AirOptions air;
-  air.ground_albedo = options.albedo;
+  air.ground_albedo = parse_albedo(options.albedo);
   air.ozone_du = options.ozone_du;
   if (!options.latitude.empty()) {
     const Place place = parse_place(options.latitude, options.longitude, options.height_m);
@@ -79,7 +80,7 @@ void add_profile_command(CLI::App& program) {
   show->add_option("--longitude", options->longitude, "decimal or DMS")->needs(latitude);
   show->add_option("--height-m", options->height_m, "of the ground above the ellipsoid")->needs(latitude);
   show->add_option("--ozone-du", options->ozone_du, "ozone column, Dobson units (default: the profile's)");
-  show->add_option("--albedo", options->albedo, "ground albedo")->capture_default_str();
+  show->add_option("--albedo", options->albedo, "of the ground: a number, a name or a CSV file")->capture_default_str();
   show->callback([options] { show_profile(*options); });
 }
 

@@ -44,6 +44,8 @@ void GroundAlbedo::validate() const {
     throw InputError("ground albedo {}: must lie within 0-1", lowest >= 0.0 ? highest : lowest);
 }
 
+std::string GroundAlbedo::text() const { return curve_ ? name_ : fmt::format("{}", value_); }
+
 double GroundAlbedo::at(double wavelength_nm, double band_nm) const {
   if (!curve_) return value_;
   if (!(wavelength_nm >= curve_->first_nm() && wavelength_nm <= curve_->last_nm()))

@@ -33,6 +33,9 @@ class GroundAlbedo {
   /// @throws InputError  for a wavelength that the curve does not hold
   double at(double wavelength_nm, double band_nm = 0.0) const;
 
+  /// For people: the number or the name.
+  std::string text() const;
+
   /// The number if it is one.
   std::optional<double> constant() const { return curve_ ? std::nullopt : std::optional(value_); }
   /// Of a curve; empty for a number.

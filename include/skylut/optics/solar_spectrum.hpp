@@ -11,7 +11,8 @@ namespace skylut {
 /// [docs/air.md §9]
 class SolarSpectrum {
  public:
-  /// A spectrum that comes with skylut (profiles/spectra/solar_*.csv, 1 nm band means), or a file of one's own.
+  /// A spectrum that comes with skylut (profiles/spectra/solar_*.csv, 1 nm band means), or a file of one's
+  /// own.
   ///   astm-g173     ASTM G-173-03 extraterrestrial (Gueymard 2004), 280.5-1030.5 nm; the default
   ///   gueymard2003  Gueymard 2003/2004, 359.5-830.5 nm
   ///   kurucz1992    Kurucz 1992, 359.5-830.5 nm

@@ -11,7 +11,7 @@ namespace {
 
 // ASTM G-173-03 itself has 734.8 W/m² between 360 and 830 nm; half bands at both ends cost 0.2.
 TEST(SolarSpectrum, IntegralOfTheSource) {
-  const SolarSpectrum sun = SolarSpectrum::load_default();
+  const SolarSpectrum sun = SolarSpectrum::load();
   EXPECT_NEAR(sun.integral_W_m2(360.0, 830.0), 734.8, 0.3);
   EXPECT_NEAR(sun.integral_W_m2(380.0, 780.0), 655.9, 0.3);
   EXPECT_NEAR(sun.integral_W_m2(297.5, 1002.5), 939.0, 0.05);
@@ -19,7 +19,7 @@ TEST(SolarSpectrum, IntegralOfTheSource) {
 
 // SPCTRAL2 (Bird and Riordan 1986) has 1.891 at 530 nm and 1.728 at 610 nm: the maximum's flat side.
 TEST(SolarSpectrum, GreenLight) {
-  EXPECT_NEAR(SolarSpectrum::load_default().irradiance_W_m2_nm(555.0, 5.0), 1.88, 0.03);
+  EXPECT_NEAR(SolarSpectrum::load().irradiance_W_m2_nm(555.0, 5.0), 1.88, 0.03);
 }
 
 TEST(SolarSpectrum, BandMeans) {
