@@ -26,4 +26,7 @@ void add_profile_command(CLI::App& program);
 /// `skylut solve CASE.json`: radiative transfer through explicit layers.
 void add_solve_command(CLI::App& program);
 
+/// `skylut sun`: where the sun stands and its spectral irradiance.
+void add_sun_command(CLI::App& program);
+
 }  // namespace skylut::cli
