@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "command_profile_case.hpp"
 #include "commands.hpp"
 #include "profile_report.hpp"
 #include "scene_options.hpp"
@@ -80,8 +81,10 @@ void add_profile_command(CLI::App& program) {
   show->add_option("--longitude", options->longitude, "decimal or DMS")->needs(latitude);
   show->add_option("--height-m", options->height_m, "of the ground above the ellipsoid")->needs(latitude);
   show->add_option("--ozone-du", options->ozone_du, "ozone column, Dobson units (default: the profile's)");
-  show->add_option("--albedo", options->albedo, "of the ground: a number, a name or a CSV file")->capture_default_str();
+  show->add_option("--albedo", options->albedo, "of the ground: a number, a name or a CSV file")
+      ->capture_default_str();
   show->callback([options] { show_profile(*options); });
+  add_profile_case_command(*profile);
 }
 
 }  // namespace skylut::cli
