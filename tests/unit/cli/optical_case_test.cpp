@@ -42,8 +42,9 @@ TEST(OpticalCase, HoldsTheAirsDepths) {
   for (const auto& layer : document["layers"]) {
     rayleigh += layer["tau_rayleigh"].get<double>();
     aerosol += layer["tau_aerosol"].get<double>();
-    if (layer.contains("phase_moments_aerosol"))  // no haze is left at 100 km
+    if (layer.contains("phase_moments_aerosol")) {  // no haze is left at 100 km
       EXPECT_NEAR(layer["phase_moments_aerosol"][1].get<double>(), layer["g_aerosol"].get<double>(), 1e-9);
+    }
   }
   EXPECT_NEAR(rayleigh, air.rayleigh_depth(550.0), 1e-6);
   EXPECT_NEAR(aerosol, 0.3 * air.options().aerosol.relative_depth(550.0), 1e-6);
