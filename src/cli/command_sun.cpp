@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,10 +12,9 @@
 #include "scene_options.hpp"
 #include "skylut/compare/closed_form_sun.hpp"
 #include "skylut/core/atomic_file.hpp"
-#include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/export/sun_file.hpp"
-#include "skylut/site/sun.hpp"
+#include "sun_option.hpp"
 
 namespace skylut::cli {
 
@@ -24,20 +22,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct SunOptions {
+constexpr double kNadir_deg = 180.0;
+
+struct CommandOptions {
   SceneOptions scene;
   fs::path out;
   double altitude_km = 0.0;
   double turbidity = 0.1;
-  double sun_zenith_deg = 0.0;
-  double sun_azimuth_deg = 180.0;
-  std::string time;
+  SunOption sun;
   bool no_diffuse = false;
   double circumsolar_deg = 0.0;
   std::string model = "shells";
   const CLI::Option* turbidity_option = nullptr;
-  const CLI::Option* sun_zenith_option = nullptr;
-  const CLI::Option* sun_azimuth_option = nullptr;
 };
 
 enum class FileKind { none, csv, json };
@@ -49,7 +45,7 @@ FileKind kind_of(const fs::path& file) {
   throw InputError("-o '{}': must be the name of a .csv or .json file", file.string());
 }
 
-std::optional<ClosedFormModel> model_of(const SunOptions& options) {
+std::optional<ClosedFormModel> model_of(const CommandOptions& options) {
   if (options.model == "shells") return std::nullopt;
   const ClosedFormModel model = parse_closed_form_model(options.model);
   if (options.circumsolar_deg > 0.0)
@@ -58,52 +54,27 @@ std::optional<ClosedFormModel> model_of(const SunOptions& options) {
   return model;
 }
 
-// The sun is given by its angles or by place and time.
-void add_sun(const SunOptions& options, SkyScene& scene) {
-  const bool by_angles = options.sun_zenith_option->count() > 0;
-  if (options.time.empty()) {
-    if (!by_angles) throw InputError("no sun: give --sun-zenith-deg, or --latitude, --longitude and --time");
-    scene.suns = {{options.sun_zenith_deg, options.sun_azimuth_deg}};
-    return;
-  }
-  if (options.scene.has_date())
-    throw InputError("--time {}: gives the date, must not be given with --date", options.time);
-  if (by_angles || options.sun_azimuth_option->count() > 0)
-    throw InputError("--time {}: gives the sun, must not be given with {}", options.time,
-                     by_angles ? "--sun-zenith-deg" : "--sun-azimuth-deg");
-  const std::optional<Place> place = options.scene.place();
-  if (!place || !options.scene.has_longitude())
-    throw InputError("--time {}: needs --latitude and --longitude", options.time);
-  const UtcTime time = parse_time(options.time);
-  scene.suns = {sun_direction(*place, time)};
-  scene.sun_distance_au = earth_sun_distance_au(time);
-}
-
-SkyScene scene_of(const SunOptions& options) {
+SkyScene scene_of(const CommandOptions& options) {
   if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
     throw InputError("--turbidity-kind: needs --turbidity");
   SkyScene scene = options.scene.scene();
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.turbidity_kind(), options.turbidity}};
-  add_sun(options, scene);
+  // Without diffuse light the sun may be anywhere: its position is wanted at night, too.
+  options.sun.put_into(scene, options.scene, kNadir_deg);
   return scene;
 }
 
-std::string command_line(const SunOptions& options, const SkyScene& scene) {
-  std::string text =
-      fmt::format("skylut sun --altitude-km {} --turbidity {}", options.altitude_km, options.turbidity);
-  if (options.time.empty())
-    text += fmt::format(" --sun-zenith-deg {} --sun-azimuth-deg {}", scene.suns[0].zenith_deg,
-                        scene.suns[0].azimuth_deg);
-  else
-    text += fmt::format(" --time {}", options.time);
+std::string command_line(const CommandOptions& options) {
+  std::string text = fmt::format("skylut sun --altitude-km {} --turbidity {} {}", options.altitude_km,
+                                 options.turbidity, options.sun.command_line());
   if (options.no_diffuse) text += " --no-diffuse";
   if (options.circumsolar_deg > 0.0) text += fmt::format(" --circumsolar-deg {}", options.circumsolar_deg);
   if (options.model != "shells") text += fmt::format(" --model {}", options.model);
   return text + " " + options.scene.command_line();
 }
 
-SunIrradiance simulate(const SkyScene& scene, const SunOptions& options, TransferOptions transfer) {
+SunIrradiance simulate(const SkyScene& scene, const CommandOptions& options, TransferOptions transfer) {
   Progress progress("solving the radiative transfer:");
   transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
   return simulate_sun(scene, {!options.no_diffuse, options.circumsolar_deg}, transfer);
@@ -150,7 +121,7 @@ void print_table(const SunIrradiance& sun) {
   }
 }
 
-void run(const SunOptions& options) {
+void run(const CommandOptions& options) {
   const FileKind kind = kind_of(options.out);
   const std::optional<ClosedFormModel> model = model_of(options);
   const SkyScene scene = scene_of(options);
@@ -161,7 +132,7 @@ void run(const SunOptions& options) {
   if (kind == FileKind::csv) write_text_atomically(options.out, sun_csv(sun));
   if (kind == FileKind::json)
     write_text_atomically(options.out,
-                          sun_json(sun, {command_line(options, scene), options.model, options.altitude_km,
+                          sun_json(sun, {command_line(options), options.model, options.altitude_km,
                                          scene.turbidities[0], scene.sun_distance_au, scene.solar}));
   print_facts(sun, scene);
   if (kind == FileKind::none)
@@ -173,7 +144,7 @@ void run(const SunOptions& options) {
 }  // namespace
 
 void add_sun_command(CLI::App& program) {
-  const auto options = std::make_shared<SunOptions>();
+  const auto options = std::make_shared<CommandOptions>();
   CLI::App& command = *program.add_subcommand(
       "sun", "where the sun stands, its spectral irradiance through the air and the sky's");
   command.footer(
@@ -188,14 +159,7 @@ void add_sun_command(CLI::App& program) {
              "of the observer above the ground, 0 to 30");
   options->turbidity_option = add_number(command, "--turbidity", options->turbidity, {0.0, 1e6, ""},
                                          "of the kind of --turbidity-kind");
-  options->sun_zenith_option =
-      add_number(command, "--sun-zenith-deg", options->sun_zenith_deg, {0.0, 180.0, "deg"},
-                 "of the sun, 0 to 180; with diffuse light to 96")
-          ->default_str("");
-  options->sun_azimuth_option = add_number(command, "--sun-azimuth-deg", options->sun_azimuth_deg,
-                                           {0.0, 360.0, "deg"}, "of the sun, clockwise from north");
-  command.add_option("--time", options->time, "instead of the sun's angles, with a place: 2024-06-21T09:00Z")
-      ->type_name("TIME");
+  options->sun.add_to(command, kNadir_deg);
   command.add_flag("--no-diffuse", options->no_diffuse, "only the direct beam, in an instant");
   add_number(command, "--circumsolar-deg", options->circumsolar_deg, {0.0, 10.0, "deg"},
              "also the diffuse light within this angle of the sun, 0 to 10; 0: not");
