@@ -29,12 +29,18 @@ struct ShowOptions {
   double height_m = 0.0;
   std::optional<double> ozone_du;
   std::string albedo = "0.2";
+  std::optional<double> water_cm;
+  std::optional<double> no2_du;
+  std::optional<double> pressure_hpa;
 };
 
 AirOptions air_options(const ShowOptions& options) {
   AirOptions air;
   air.ground_albedo = parse_albedo(options.albedo);
   air.ozone_du = options.ozone_du;
+  air.water_cm = options.water_cm;
+  air.no2_du = options.no2_du;
+  air.surface_pressure_hPa = options.pressure_hpa;
   if (!options.latitude.empty()) {
     const Place place = parse_place(options.latitude, options.longitude, options.height_m);
     air.gravity_m_s2 = normal_gravity_m_s2(place);
@@ -45,7 +51,7 @@ AirOptions air_options(const ShowOptions& options) {
 
 void list_profiles() {
   for (const std::string& name : profile_names())
-    fmt::print("{:<12} {}\n", name, load_profile(name).description);
+    fmt::print("{:<20} {}\n", name, load_profile(name).description);
 }
 
 void show_profile(const ShowOptions& options) {
@@ -81,6 +87,11 @@ void add_profile_command(CLI::App& program) {
   show->add_option("--longitude", options->longitude, "decimal or DMS")->needs(latitude);
   show->add_option("--height-m", options->height_m, "of the ground above the ellipsoid")->needs(latitude);
   show->add_option("--ozone-du", options->ozone_du, "ozone column, Dobson units (default: the profile's)");
+  show->add_option("--water-cm", options->water_cm, "precipitable water, cm (default: the profile's)");
+  show->add_option("--no2-du", options->no2_du,
+                   "nitrogen dioxide column, Dobson units (default: the profile's)");
+  show->add_option("--pressure-hpa", options->pressure_hpa,
+                   "pressure at the ground; scales the air and its oxygen (default: the profile's)");
   show->add_option("--albedo", options->albedo, "of the ground: a number, a name or a CSV file")
       ->capture_default_str();
   show->callback([options] { show_profile(*options); });

@@ -46,6 +46,16 @@ std::vector<RelativeView> parse_views(const std::string& text) {
   return views;
 }
 
+std::string command_line(const CaseOptions& options) {
+  const OpticalCaseRequest& request = options.request;
+  std::string text = fmt::format("skylut profile case {} --wavelength-nm {} --band-nm {}", options.name,
+                                 request.wavelength_nm, request.band_nm);
+  if (options.term_option->count() > 0) text += fmt::format(" --absorption-term {}", options.absorption_term);
+  return text + fmt::format(" --altitude-km {} --sun-zenith-deg {} --view {} --turbidity {} {}",
+                            request.altitude_km, request.sun_zenith_deg, options.views, options.turbidity,
+                            options.scene.air_command_line());
+}
+
 void run(const CaseOptions& options) {
   if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
     throw InputError("--turbidity-kind: needs --turbidity");
@@ -55,7 +65,9 @@ void run(const CaseOptions& options) {
   const Air air(load_profile(options.name), options.scene.air());
   request.aod500 = to_aod500({options.scene.turbidity_kind(), options.turbidity}, air);
   if (!options.out.empty()) require_writable_file("-o", options.out);
-  const std::string text = optical_case(air, request).dump(1) + "\n";
+  nlohmann::ordered_json document = optical_case(air, request);
+  document["command"] = command_line(options);
+  const std::string text = document.dump(1) + "\n";
   if (options.out.empty())
     fmt::print("{}", text);
   else

@@ -16,8 +16,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kShown_nm = 550.0;
-// 1 cm of precipitable water is 1 g/cm² of 18.01528 g/mol.
-constexpr double kWater_per_m2_cm = 1e4 * kAvogadro_per_mol / 18.01528;
 
 struct Column {
   std::string name;
@@ -34,7 +32,7 @@ std::vector<Column> gas_columns(const Profile& profile) {
     if (gas.name == "ozone" || gas.name == "nitrogen_dioxide")
       columns.push_back({gas.name, "DU", molecules / kDobsonUnit_per_m2});
     else if (gas.name == "water_vapour")
-      columns.push_back({gas.name, "cm", molecules / kWater_per_m2_cm});
+      columns.push_back({gas.name, "cm", molecules / water_molecules_per_m2_cm()});
     else
       columns.push_back({gas.name, "molecules/m2", molecules});
   }
@@ -124,13 +122,13 @@ std::string depths_tables(const Air& air, double aod500) {
   text += fmt::format("  {:<18} {:.6f}\n", "total", total_of(whole));
 
   text += fmt::format("\nLayers, optical depth at {:g} nm\n   from/km    to/km", kShown_nm);
-  for (const ConstituentDepth& depth : whole) text += fmt::format(" {:>10}", depth.name);
+  for (const ConstituentDepth& depth : whole) text += fmt::format(" {:>12}", depth.name);
   text += "      total\n";
   const std::vector<double>& levels = air.shells().levels_km;
   for (std::size_t layer = 0; layer + 1 < levels.size(); ++layer) {
     const std::vector<ConstituentDepth> depths = layer_depths(air, aod500, layer);
     text += fmt::format("  {:8g} {:8g}", levels[layer], levels[layer + 1]);
-    for (const ConstituentDepth& depth : depths) text += fmt::format(" {:10.3e}", depth.depth);
+    for (const ConstituentDepth& depth : depths) text += fmt::format(" {:12.3e}", depth.depth);
     text += fmt::format(" {:10.3e}\n", total_of(depths));
   }
   return text;

@@ -81,6 +81,21 @@ void SceneOptions::add_air_to(CLI::App& command) {
           "ozone column in Dobson units; default: the profile's")
       ->type_name("NUMBER")
       ->group(air);
+  const auto add_gas = [&](const char* name, std::optional<double>& value, NumberRange range,
+                           const char* text) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [&value, name, range](const std::string& given) { value = parse_number(name, given, range); },
+            text)
+        ->type_name("NUMBER")
+        ->group(air);
+  };
+  add_gas("--water-cm", water_cm_, {0.0, 20.0, "cm"}, "precipitable water in cm; default: the profile's");
+  add_gas("--no2-du", no2_du_, {0.0, 100.0, "DU"},
+          "nitrogen dioxide column in Dobson units; default: the profile's");
+  add_gas("--pressure-hpa", surface_pressure_hPa_, {300.0, 1100.0, "hPa"},
+          "pressure at the ground: scales the air and its oxygen at all heights; default: the profile's");
 
   const std::string place =
       "Place: gives gravity and the Earth's radius (default: standard gravity, 6371 km)";
@@ -119,6 +134,9 @@ AirOptions SceneOptions::air() const {
   AirOptions air;
   air.ground_albedo = parse_albedo(albedo_);
   air.ozone_du = ozone_du_;
+  air.water_cm = water_cm_;
+  air.no2_du = no2_du_;
+  air.surface_pressure_hPa = surface_pressure_hPa_;
   if (const std::optional<Place> where = place()) {
     air.gravity_m_s2 = normal_gravity_m_s2(*where);
     air.planet_radius_km = radius_of_curvature_km(*where);
@@ -134,12 +152,18 @@ TransferOptions SceneOptions::transfer() const {
 }
 
 std::string SceneOptions::command_line() const {
-  std::string text =
-      fmt::format("--profile {} --turbidity-kind {} --albedo {} --wavelengths-nm {} --quality {}", profile_,
-                  turbidity_kind_, albedo_, wavelengths_, quality_);
-  if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
-  text += fmt::format(" --solar {}", solar_);
+  std::string text = fmt::format("--profile {} --wavelengths-nm {} --quality {} --solar {}", profile_,
+                                 wavelengths_, quality_, solar_);
   if (has_date()) text += fmt::format(" --date {}", date_);
+  return text + " " + air_command_line();
+}
+
+std::string SceneOptions::air_command_line() const {
+  std::string text = fmt::format("--turbidity-kind {} --albedo {}", turbidity_kind_, albedo_);
+  if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
+  if (water_cm_) text += fmt::format(" --water-cm {}", *water_cm_);
+  if (no2_du_) text += fmt::format(" --no2-du {}", *no2_du_);
+  if (surface_pressure_hPa_) text += fmt::format(" --pressure-hpa {}", *surface_pressure_hPa_);
   if (const std::optional<Place> where = place())
     text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg,
                         where->longitude_deg, where->height_m);

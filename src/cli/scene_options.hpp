@@ -40,6 +40,8 @@ class SceneOptions {
 
   /// These options as a command line, defaults spelled out; without threads, which change no result.
   std::string command_line() const;
+  /// The part that add_air_to adds.
+  std::string air_command_line() const;
 
  private:
   std::string profile_ = "ussa1976";
@@ -48,6 +50,9 @@ class SceneOptions {
   std::string wavelengths_ = "380:780:5";
   std::string albedo_ = "0.2";
   std::optional<double> ozone_du_;
+  std::optional<double> water_cm_;
+  std::optional<double> no2_du_;
+  std::optional<double> surface_pressure_hPa_;
   std::string solar_ = "astm-g173";
   std::string date_;
   std::string latitude_;

@@ -6,12 +6,16 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/quadrature.hpp"
-#include "skylut/optics/ozone.hpp"
+#include "skylut/optics/gas_cross_sections.hpp"
 #include "skylut/optics/rayleigh.hpp"
 
 namespace skylut {
 
 namespace {
+
+// Reference state of the amounts in LineBand.
+constexpr double kLinePressure_hPa = 1013.25;
+constexpr double kLineTemperature_K = 273.15;
 
 // Layer boundaries: fine where the haze and the observers are, coarse where little air is left.
 std::vector<double> layer_levels_km(double top_km) {
@@ -28,6 +32,13 @@ void check_options(const AirOptions& options) {
   options.ground_albedo.validate();
   if (options.ozone_du && !(*options.ozone_du >= 0.0 && *options.ozone_du <= 1000.0))
     throw InputError("ozone column {} DU: must lie within 0-1000 DU", *options.ozone_du);
+  if (options.no2_du && !(*options.no2_du >= 0.0 && *options.no2_du <= 100.0))
+    throw InputError("nitrogen dioxide column {} DU: must lie within 0-100 DU", *options.no2_du);
+  if (options.water_cm && !(*options.water_cm >= 0.0 && *options.water_cm <= 20.0))
+    throw InputError("precipitable water {} cm: must lie within 0-20 cm", *options.water_cm);
+  if (options.surface_pressure_hPa &&
+      !(*options.surface_pressure_hPa >= 300.0 && *options.surface_pressure_hPa <= 1100.0))
+    throw InputError("surface pressure {} hPa: must lie within 300-1100 hPa", *options.surface_pressure_hPa);
   if (!(options.gravity_m_s2 >= 9.7 && options.gravity_m_s2 <= 9.9))
     throw InputError("gravity {} m/s2: must lie within 9.7-9.9 m/s2", options.gravity_m_s2);
   if (!(options.planet_radius_km >= 1000.0))
@@ -44,20 +55,34 @@ void check_band(double band_nm) {
 
 Air::Air(Profile profile, AirOptions options) : profile_(std::move(profile)), options_(std::move(options)) {
   check_options(options_);
-  if (options_.ozone_du) scale_gas_column(profile_, "ozone", *options_.ozone_du * kDobsonUnit_per_m2);
+  scale_columns();
   carbon_dioxide_fraction_ =
       profile_.gas("carbon_dioxide")->density_per_m3.front() / air_state(profile_, 0.0).density_per_m3;
 
   shells_.planet_radius_km = options_.planet_radius_km;
   shells_.levels_km = layer_levels_km(profile_.altitude_km.back());
-  absorbers_.push_back({{"ozone", load_ozone_cross_section()}, {}});
+  absorbers_.push_back({{"ozone", "ozone", load_ozone_cross_section()}, {}});
+  absorbers_.push_back({{"no2", "nitrogen_dioxide", load_nitrogen_dioxide_cross_section()}, {}});
+  absorbers_.push_back({{"o2_o2", "oxygen", load_oxygen_pair_cross_section(), true}, {}});
+  line_absorbers_.push_back({"oxygen", "oxygen", load_oxygen_lines(), {}});
+  line_absorbers_.push_back({"water_vapour", "water_vapour", load_water_lines(), {}});
   for (std::size_t layer = 0; layer + 1 < shells_.levels_km.size(); ++layer) {
     const double lower_km = shells_.levels_km[layer];
     const double upper_km = shells_.levels_km[layer + 1];
     air_per_m2_.push_back(air_between_per_m2(lower_km, upper_km));
     for (GasLayers& absorber : absorbers_)
-      absorber.nodes.push_back(gas_nodes(absorber.gas.name, lower_km, upper_km));
+      absorber.nodes.push_back(gas_nodes(absorber.gas.gas_name, absorber.gas.pairs, lower_km, upper_km));
+    for (LineLayers& absorber : line_absorbers_)
+      absorber.nodes.push_back(gas_nodes(absorber.gas_name, false, lower_km, upper_km));
   }
+}
+
+void Air::scale_columns() {
+  if (options_.surface_pressure_hPa) scale_surface_pressure(profile_, *options_.surface_pressure_hPa);
+  if (options_.ozone_du) scale_gas_column(profile_, "ozone", *options_.ozone_du * kDobsonUnit_per_m2);
+  if (options_.no2_du) scale_gas_column(profile_, "nitrogen_dioxide", *options_.no2_du * kDobsonUnit_per_m2);
+  if (options_.water_cm)
+    scale_gas_column(profile_, "water_vapour", *options_.water_cm * water_molecules_per_m2_cm());
 }
 
 // The air at altitude z under gravity g is that of the profile at z g/g0.
@@ -69,9 +94,11 @@ double Air::air_between_per_m2(double lower_km, double upper_km) const {
          stretch;
 }
 
-std::vector<Air::ColumnNode> Air::gas_nodes(const std::string& name, double lower_km, double upper_km) const {
+std::vector<Air::ColumnNode> Air::gas_nodes(const std::string& gas_name, bool pairs, double lower_km,
+                                            double upper_km) const {
   static const Quadrature rule = gauss_legendre(6, 0.0, 1.0);
-  const GasProfile& gas = *profile_.gas(name);
+  const GasProfile* gas = profile_.gas(gas_name);
+  if (gas == nullptr) return {};
   std::vector<double> edges{lower_km};
   for (double z : profile_.altitude_km)
     if (z > lower_km && z < upper_km) edges.push_back(z);
@@ -81,9 +108,13 @@ std::vector<Air::ColumnNode> Air::gas_nodes(const std::string& name, double lowe
     for (std::size_t k = 0; k < rule.node.size(); ++k) {
       const double thickness_km = edges[i + 1] - edges[i];
       const double z = edges[i] + rule.node[k] * thickness_km;
-      nodes.push_back({air_state(profile_, z).temperature_K,
-                       1000.0 * thickness_km * rule.weight[k] *
-                           interpolate_by_altitude(profile_, gas.density_per_m3, z)});
+      const AirState state = air_state(profile_, z);
+      const double density_per_m3 = interpolate_by_altitude(profile_, gas->density_per_m3, z);
+      nodes.push_back(
+          {state.temperature_K,
+           1000.0 * thickness_km * rule.weight[k] * density_per_m3 * (pairs ? density_per_m3 : 1.0),
+           std::log(state.pressure_hPa / kLinePressure_hPa),
+           std::log(kLineTemperature_K / state.temperature_K)});
     }
   return nodes;
 }
@@ -94,6 +125,31 @@ double Air::absorption_depth(const CrossSection& cross_section, const std::vecto
   for (const ColumnNode& node : nodes)
     depth += node.column_per_m2 * cross_section.at_m2(wavelength_nm, node.temperature_K);
   return depth;
+}
+
+double Air::scaled_amount_per_m2(const LineBand& band, const std::vector<ColumnNode>& nodes) {
+  double amount = 0.0;
+  for (const ColumnNode& node : nodes)
+    amount += node.column_per_m2 * std::exp(band.pressure_exponent * node.log_pressure +
+                                            band.temperature_exponent * node.log_inverse_temperature);
+  return amount;
+}
+
+Constituent Air::line_constituent(const LineLayers& absorber, double wavelength_nm, double band_nm,
+                                  bool few_terms) const {
+  const LineBand band = absorber.lines.band(wavelength_nm, band_nm);
+  std::vector<double> amounts_per_m2;
+  double whole_per_m2 = 0.0;
+  for (const std::vector<ColumnNode>& layer : absorber.nodes) {
+    amounts_per_m2.push_back(band.sum.size() > 1 ? scaled_amount_per_m2(band, layer) : 0.0);
+    whole_per_m2 += amounts_per_m2.back();
+  }
+  Constituent constituent{absorber.name, {}};
+  for (const Exponential& term : few_terms ? fit_exponentials(band.sum, whole_per_m2) : band.sum) {
+    constituent.terms.push_back({term.weight, amounts_per_m2});
+    for (double& depth : constituent.terms.back().depth) depth *= term.coefficient;
+  }
+  return constituent;
 }
 
 double Air::aerosol_fraction(double lower_km, double upper_km, double aod500) const {
@@ -165,14 +221,23 @@ OpticalColumn Air::column(double wavelength_nm, double aod500) const {
   return column;
 }
 
-std::vector<Constituent> Air::constituents(double wavelength_nm, double band_nm, double aod500) const {
+std::vector<Constituent> Air::all_constituents(double wavelength_nm, double band_nm, double aod500,
+                                               bool few_terms) const {
   check(wavelength_nm, aod500);
   check_band(band_nm);
-  return smooth_constituents(wavelength_nm, aod500);
+  std::vector<Constituent> constituents = smooth_constituents(wavelength_nm, aod500);
+  for (const LineLayers& absorber : line_absorbers_)
+    constituents.insert(constituents.end() - 1,
+                        line_constituent(absorber, wavelength_nm, band_nm, few_terms));
+  return constituents;
+}
+
+std::vector<Constituent> Air::constituents(double wavelength_nm, double band_nm, double aod500) const {
+  return all_constituents(wavelength_nm, band_nm, aod500, false);
 }
 
 std::vector<ColumnTerm> Air::band_columns(double wavelength_nm, double band_nm, double aod500) const {
-  const std::vector<Constituent> constituents = this->constituents(wavelength_nm, band_nm, aod500);
+  const std::vector<Constituent> constituents = all_constituents(wavelength_nm, band_nm, aod500, true);
   std::vector<ColumnTerm> columns{{1.0, scattering_column(wavelength_nm, constituents, aod500)}};
   columns.front().column.ground_albedo = options_.ground_albedo.at(wavelength_nm, band_nm);
   for (const Constituent& constituent : constituents) {
@@ -189,9 +254,10 @@ std::vector<ColumnTerm> Air::band_columns(double wavelength_nm, double band_nm, 
   return columns;
 }
 
-std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double aod500,
-                                                  double altitude_km) const {
+std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double aod500, double altitude_km,
+                                                  double band_nm) const {
   check(wavelength_nm, aod500);
+  check_band(band_nm);
   const double top_km = shells_.levels_km.back();
   if (!(altitude_km >= 0.0 && altitude_km <= top_km))
     throw InputError("altitude {} km: must lie within 0-{} km", altitude_km, top_km);
@@ -199,9 +265,16 @@ std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double a
   depths.push_back({"rayleigh", rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_) *
                                     air_between_per_m2(altitude_km, top_km)});
   for (const GasLayers& absorber : absorbers_)
-    depths.push_back({absorber.gas.name,
-                      absorption_depth(absorber.gas.cross_section,
-                                       gas_nodes(absorber.gas.name, altitude_km, top_km), wavelength_nm)});
+    depths.push_back({absorber.gas.name, absorption_depth(absorber.gas.cross_section,
+                                                          gas_nodes(absorber.gas.gas_name, absorber.gas.pairs,
+                                                                    altitude_km, top_km),
+                                                          wavelength_nm)});
+  for (const LineLayers& absorber : line_absorbers_) {
+    const LineBand band = absorber.lines.band(wavelength_nm, band_nm);
+    const double amount =
+        scaled_amount_per_m2(band, gas_nodes(absorber.gas_name, false, altitude_km, top_km));
+    depths.push_back({absorber.name, std::max(0.0, -std::log(transmittance(band.sum, amount)))});
+  }
   const double aerosol = aod500 > 0.0 ? aod500 * options_.aerosol.relative_depth(wavelength_nm) *
                                             aerosol_fraction(altitude_km, top_km, aod500)
                                       : 0.0;

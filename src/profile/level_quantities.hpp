@@ -5,9 +5,6 @@
 
 namespace skylut {
 
-/// Molecules/m² in a precipitable water of 1 cm (1 g/cm²): N_A / 18.01528 g/mol.
-double water_molecules_per_m2_cm();
-
 /// Table 3.1's quantities at the described levels from the profile itself: T_eo is the mean temperature
 /// of the ozone above the level, relative humidity the vapour's pressure over eq. 3.9, precipitable
 /// water and ozone the columns above. Oxygen and carbon dioxide paths by eq. 3.11.

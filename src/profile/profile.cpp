@@ -115,4 +115,14 @@ void scale_gas_column(Profile& profile, std::string_view gas_name, double column
                    profile.name, gas_name);
 }
 
+void scale_surface_pressure(Profile& profile, double pressure_hPa) {
+  if (!(pressure_hPa > 0.0) || !std::isfinite(pressure_hPa))
+    throw InputError("surface pressure {} hPa: must be finite and greater than 0", pressure_hPa);
+  const double factor = pressure_hPa / profile.pressure_hPa.front();
+  for (double& pressure : profile.pressure_hPa) pressure *= factor;
+  for (GasProfile& gas : profile.gases)
+    if (gas.name == "oxygen" || gas.name == "carbon_dioxide")
+      for (double& density : gas.density_per_m3) density *= factor;
+}
+
 }  // namespace skylut

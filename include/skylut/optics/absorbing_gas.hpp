@@ -20,7 +20,7 @@ class CrossSection {
   /// @param rows  at least two, ascending wavelengths
   CrossSection(std::vector<Row> rows, double reference_temperature_K, double lowest_K, double highest_K);
 
-  /// m² per molecule; coefficients linear in wavelength between rows.
+  /// m² per molecule (m⁵ for pairs); coefficients linear in wavelength between rows.
   /// @throws InputError  for a wavelength outside the rows
   double at_m2(double wavelength_nm, double temperature_K) const;
 
@@ -34,8 +34,10 @@ class CrossSection {
 /// A gas that absorbs: which one of the profile, and how strongly. Air takes a list of them, so that a
 /// new gas is a new entry.
 struct AbsorbingGas {
-  std::string name;  ///< as in Profile::gases
+  std::string name;      ///< of the constituent: "ozone", "no2", "o2_o2"
+  std::string gas_name;  ///< as in Profile::gases; a profile without it has none of it
   CrossSection cross_section;
+  bool pairs = false;  ///< absorbs by pairs of molecules: with the square of its density
 };
 
 }  // namespace skylut

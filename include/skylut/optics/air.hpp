@@ -8,6 +8,7 @@
 #include "skylut/optics/absorbing_gas.hpp"
 #include "skylut/optics/aerosol.hpp"
 #include "skylut/optics/ground_albedo.hpp"
+#include "skylut/optics/line_absorption.hpp"
 #include "skylut/optics/optical_state.hpp"
 #include "skylut/profile/profile.hpp"
 
@@ -17,7 +18,12 @@ namespace skylut {
 struct AirOptions {
   GroundAlbedo ground_albedo = 0.2;  ///< Lambertian, [0, 1]
   std::optional<double>
-      ozone_du;  ///< column above the ground, Dobson units, [0, 1000]; default: the profile's
+      ozone_du;                  ///< column above the ground, Dobson units, [0, 1000]; default: the profile's
+  std::optional<double> no2_du;  ///< nitrogen dioxide, [0, 100]; default: the profile's
+  std::optional<double> water_cm;  ///< precipitable water, [0, 20]; default: the profile's
+  /// At the ground, [300, 1100]; default: the profile's. Scales pressure, air, oxygen and carbon dioxide at
+  /// all levels, hence the Rayleigh and oxygen depths; temperature and the other gases' columns stay.
+  std::optional<double> surface_pressure_hPa;
   /// Gravity at the ground; profiles are in balance under standard gravity, see Air. [9.7, 9.9].
   double gravity_m_s2 = kStandardGravity_m_s2;
   double planet_radius_km = kMeanEarthRadius_km;  ///< of the ground, [1000, inf]
@@ -26,7 +32,8 @@ struct AirOptions {
 
 /// Vertical optical depth of one constituent between two altitudes.
 struct ConstituentDepth {
-  std::string name;  ///< "rayleigh", "ozone", …, "aerosol"
+  /// "rayleigh", "ozone", "no2", "o2_o2", "oxygen", "water_vapour" (the lines of these), "aerosol"
+  std::string name;
   double depth = 0.0;
 };
 
@@ -64,7 +71,8 @@ class Air {
   /// Levels from the ground to 100 km, 0.1 km apart at the ground, 20 km at the top.
   const Shells& shells() const { return shells_; }
 
-  /// Layers of one wavelength and load, smooth constituents only (no lines). Layer depths are integrals of
+  /// Layers of one wavelength and load, without the lines of oxygen and water vapour, which only a band
+  /// can tell (band_columns). Layer depths are integrals of
   /// the continuous profile (relative accuracy 1e-8), not level values times thickness.
   /// @param wavelength_nm  [300, 1000]
   /// @param aod500         total vertical aerosol optical depth above the ground at 500 nm, >= 0
@@ -72,20 +80,26 @@ class Air {
   OpticalColumn column(double wavelength_nm, double aod500) const;
 
   /// What each constituent does to a band, layer by layer, in the order of optical_depths. Extinction
-  /// for scatterers. Absorption by lines of different gases is independent: transmittances multiply.
+  /// for scatterers. Lines have all the terms there are (8 per nm of the band), for transmittances without
+  /// loss; different gases' lines are independent: transmittances multiply.
   /// @param wavelength_nm  middle of the band, [300, 1000]
   /// @param band_nm        its width, > 0
   /// @throws InputError  for values out of range
   std::vector<Constituent> constituents(double wavelength_nm, double band_nm, double aod500) const;
 
-  /// The columns whose weighted radiances are the band's: every combination of the constituents' terms.
+  /// The columns whose weighted radiances are the band's: every combination of the constituents' terms, of
+  /// which lines have one to three (fit_exponentials). 81 bands of 5 nm over 380-780 nm: some 25 columns
+  /// more than bands.
   /// @throws InputError  as constituents
   std::vector<ColumnTerm> band_columns(double wavelength_nm, double band_nm, double aod500) const;
 
   /// Optical depth of every constituent above an altitude of the shells, in the order Rayleigh,
-  /// absorbing gases, aerosol. @param altitude_km  [0, top]
-  std::vector<ConstituentDepth> optical_depths(double wavelength_nm, double aod500,
-                                               double altitude_km = 0.0) const;
+  /// absorbing gases, lines, aerosol. For lines: -ln of the band's vertical transmittance, which does not
+  /// grow with the air mass as other depths do.
+  /// @param altitude_km  [0, top]
+  /// @param band_nm      of the lines, > 0
+  std::vector<ConstituentDepth> optical_depths(double wavelength_nm, double aod500, double altitude_km = 0.0,
+                                               double band_nm = 5.0) const;
 
   /// Rayleigh optical depth of the whole column.
   double rayleigh_depth(double wavelength_nm) const;
@@ -98,14 +112,22 @@ class Air {
   double carbon_dioxide_fraction() const { return carbon_dioxide_fraction_; }
 
  private:
-  // Molecules of a gas at one temperature: a node of the integral over a layer.
+  // Molecules of a gas in one state of the air: a node of the integral over a layer.
   struct ColumnNode {
     double temperature_K;
-    double column_per_m2;
+    double column_per_m2;            // per m⁵ for pairs
+    double log_pressure;             // ln(p / 1013.25 hPa)
+    double log_inverse_temperature;  // ln(273.15 K / T)
   };
   struct GasLayers {
     AbsorbingGas gas;
     std::vector<std::vector<ColumnNode>> nodes;  // by layer
+  };
+  struct LineLayers {
+    std::string name;
+    std::string gas_name;
+    LineAbsorption lines;
+    std::vector<std::vector<ColumnNode>> nodes;
   };
 
   static void check(double wavelength_nm, double aod500);
@@ -115,7 +137,15 @@ class Air {
                                   double aod500) const;
   static double absorption_depth(const CrossSection& cross_section, const std::vector<ColumnNode>& nodes,
                                  double wavelength_nm);
-  std::vector<ColumnNode> gas_nodes(const std::string& name, double lower_km, double upper_km) const;
+  static double scaled_amount_per_m2(const LineBand& band, const std::vector<ColumnNode>& nodes);
+  std::vector<ColumnNode> gas_nodes(const std::string& gas_name, bool pairs, double lower_km,
+                                    double upper_km) const;
+  void scale_columns();
+  // few_terms: as few as the solver's lanes need; otherwise all there are.
+  Constituent line_constituent(const LineLayers& absorber, double wavelength_nm, double band_nm,
+                               bool few_terms) const;
+  std::vector<Constituent> all_constituents(double wavelength_nm, double band_nm, double aod500,
+                                            bool few_terms) const;
   double air_between_per_m2(double lower_km, double upper_km) const;
   // Part of the aerosol's optical depth that lies between two altitudes.
   double aerosol_fraction(double lower_km, double upper_km, double aod500) const;
@@ -126,6 +156,7 @@ class Air {
   double carbon_dioxide_fraction_ = 0.0;
   std::vector<double> air_per_m2_;  // by layer
   std::vector<GasLayers> absorbers_;
+  std::vector<LineLayers> line_absorbers_;
 };
 
 }  // namespace skylut

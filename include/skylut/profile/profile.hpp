@@ -96,4 +96,12 @@ double air_column_per_m2(const Profile& profile, double lower_km, double upper_k
 /// @throws InputError  for a gas the profile does not hold, or a column that is negative or not finite
 void scale_gas_column(Profile& profile, std::string_view gas_name, double column_per_m2);
 
+/// The same profile with another pressure at the ground: pressure and the well-mixed gases (oxygen, carbon
+/// dioxide) by the same factor at every level. Temperature and the other gases stay as they are.
+/// @throws InputError  for a pressure that is not positive and finite
+void scale_surface_pressure(Profile& profile, double pressure_hPa);
+
+/// Molecules/m² in a precipitable water of 1 cm (1 g/cm²): N_A / 18.01528 g/mol.
+double water_molecules_per_m2_cm();
+
 }  // namespace skylut

@@ -1,5 +1,3 @@
-#include "skylut/optics/ozone.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "skylut/core/errors.hpp"
+#include "skylut/optics/gas_cross_sections.hpp"
 
 namespace skylut {
 namespace {
