@@ -22,6 +22,10 @@ constexpr double kLongest = 40.0;
 constexpr std::size_t kPaths = 16;
 using Curve = std::array<double, kPaths>;
 
+// The largest vertical depth of a term. Blacker ones would cost the solver many thin layers and tell no more:
+// at the ground they are black already, and thin air above fits as well (differences below 0.04).
+constexpr double kBlackest = 3.0;
+
 // Coefficients to choose from: 0 (the gaps between lines) and steps of a constant ratio.
 constexpr std::size_t kSteps = 40;
 
@@ -160,8 +164,8 @@ std::vector<Exponential> fit_exponentials(const std::vector<Exponential>& sum, d
   if (!(mean * vertical_amount > 0.0)) return {{1.0, mean}};
 
   const Curve target = curve_of(sum, vertical_amount);
-  // What is opaque on the shortest path is opaque on all; what the longest does not see is the 0.
-  const double upper = std::min(strongest, 10.0 / (kShortest * vertical_amount));
+  // What the longest path does not see is the 0.
+  const double upper = std::min(strongest, kBlackest / vertical_amount);
   const double lower = std::min(0.01 / (kLongest * vertical_amount), 0.01 * upper);
   const Candidates candidates(vertical_amount, lower, upper, target);
   const auto off = [&](const Choice& choice) {

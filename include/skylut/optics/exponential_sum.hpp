@@ -16,8 +16,9 @@ double transmittance(const std::vector<Exponential>& sum, double amount);
 
 /// A few exponentials, three at most, that stand for many. A term is one more lane of the solver: a band
 /// has as few as keep the transmittance of m vertical amounts within 0.005 (1 + m / 2), m = 0.05 to 40
-/// (twice that before a third term is taken). Weighted least squares, coefficients from a logarithmic
-/// grid, weights > 0 with sum 1. [docs/air.md §10, A23]
+/// (twice that before a third term is taken; 0.05 where lines are black, since no term is blacker
+/// than a vertical depth of 3). Weighted least squares, coefficients from a logarithmic grid, weights > 0
+/// with sum 1. [docs/air.md §10, A24]
 ///
 /// @param sum              weights >= 0 with sum 1, coefficients >= 0
 /// @param vertical_amount  of the whole atmosphere, >= 0

@@ -55,7 +55,8 @@ TEST(FitExponentials, EveryBandOfLines) {
           EXPECT_GT(fit[i].weight, 0.0);
           EXPECT_GE(fit[i].coefficient, i == 0 ? 0.0 : fit[i - 1].coefficient);
         }
-        if (fit.size() == 3) continue;  // as good as three can be: below
+        // As good as three terms, or terms not blacker than 3, can be: below.
+        if (fit.size() == 3 || transmittance(band.sum, gas.vertical_amount) < 0.5) continue;
         for (double m : {0.1, 0.5, 1.0, 1.5, 2.0, 4.0, 10.0, 38.0})
           EXPECT_NEAR(transmittance(fit, m * gas.vertical_amount),
                       transmittance(band.sum, m * gas.vertical_amount),
@@ -65,17 +66,18 @@ TEST(FitExponentials, EveryBandOfLines) {
 }
 
 // Three terms at the strongest bands there are: the A band of oxygen and the ρστ band of water. At air
-// mass 1 to 4 they err by less than 0.02.
+// mass 1 to 4 they err by less than 0.05 (0.02 in the A band): no term is blacker than 3.
 TEST(FitExponentials, StrongestBands) {
-  const auto check = [](const LineBand& band, double vertical_amount) {
+  const auto check = [](const LineBand& band, double vertical_amount, double tolerance) {
     const std::vector<Exponential> fit = fit_exponentials(band.sum, vertical_amount);
     EXPECT_EQ(fit.size(), 3u);
     for (double m : {1.0, 1.5, 2.0, 3.0, 4.0})
-      EXPECT_NEAR(transmittance(fit, m * vertical_amount), transmittance(band.sum, m * vertical_amount), 0.02)
+      EXPECT_NEAR(transmittance(fit, m * vertical_amount), transmittance(band.sum, m * vertical_amount), tolerance)
           << m;
+    EXPECT_LE(fit.back().coefficient * vertical_amount, 3.0 * (1.0 + 1e-12));
   };
-  check(load_oxygen_lines().band(760.0, 5.0), 2.3e28);
-  check(load_water_lines().band(935.0, 5.0), 4e26);
+  check(load_oxygen_lines().band(760.0, 5.0), 2.3e28, 0.02);
+  check(load_water_lines().band(935.0, 5.0), 4e26, 0.05);
 }
 
 TEST(FitExponentials, SameInputSameTerms) {

@@ -73,8 +73,9 @@ TEST(GasAir, ConstituentsInOneOrder) {
   }
 }
 
-// The few lanes transmit what all the terms do, within what fit_exponentials promises for each gas; where
-// no line absorbs there is one lane, and it is Air::column.
+// The few lanes transmit what all the terms do, within what fit_exponentials promises for each gas (0.03 in
+// the A band, whose lines are blacker than any lane); where no line absorbs there is one lane, and it is
+// Air::column.
 TEST(GasAir, LanesTransmitWhatTheBandDoes) {
   const Air air = g173_air();
   std::size_t lanes = 0;
@@ -87,7 +88,7 @@ TEST(GasAir, LanesTransmitWhatTheBandDoes) {
     EXPECT_NEAR(weights, 1.0, 1e-9);
     for (double m : {0.5, 1.0, 1.5, 3.0})
       EXPECT_NEAR(transmittance_of(columns, m), transmittance_of(constituents, "", m),
-                  2.0 * 0.0055 * (1.0 + m / 2.0))
+                  nm == 760.0 || nm == 765.0 ? 0.03 : 2.0 * 0.0055 * (1.0 + m / 2.0))
           << nm << " nm, air mass " << m;
     if (nm < 500.0) {
       ASSERT_EQ(columns.size(), 1u);
@@ -167,9 +168,10 @@ TEST(GasAir, OzoneDepths) {
     EXPECT_NEAR(depth_of(g173_air().optical_depths(nm, 0.0), "ozone") / depth, 1.0, 0.02) << nm;
 }
 
-// Lines of ASTM G-173-03's direct beam at air mass 1.5: its spectrum over the extraterrestrial one,
-// divided by the clear wavelengths on both sides, averaged over 10 nm. Figures of the standard; SMARTS'
-// oxygen is a little stronger than ours, its water weaker on the wings (docs/air.md §10).
+// Lines in ASTM G-173-03's direct beam (air mass 1.5): the standard's direct over its extraterrestrial
+// irradiance, summed over 10 nm, divided by the transmittances of air, ozone, NO2, O2-O2 and its rural
+// aerosol (Ångström exponents 0.933 and 1.444 below and above 500 nm). These leave 0.5-1 % between 530 and
+// 680 nm where no line absorbs, hence 0.015; our A band is less deep than SMARTS' (docs/air.md §10).
 TEST(GasAir, TransmittancesOfG173) {
   const Air air = g173_air();
   struct Band {
@@ -177,8 +179,11 @@ TEST(GasAir, TransmittancesOfG173) {
     double transmittance;
     double tolerance;
   };
-  for (const Band& published : {Band{585.0, 0.970, 0.015}, Band{645.0, 0.980, 0.015},
-                                Band{690.0, 0.927, 0.02}, Band{720.0, 0.840, 0.025}}) {
+  for (const Band& published :
+       {Band{500.0, 0.9957, 0.015}, Band{580.0, 0.9853, 0.015}, Band{590.0, 0.9585, 0.015},
+        Band{640.0, 0.9831, 0.015}, Band{650.0, 0.9771, 0.015}, Band{680.0, 0.9274, 0.015},
+        Band{690.0, 0.9221, 0.015}, Band{710.0, 0.9217, 0.015}, Band{720.0, 0.8349, 0.015},
+        Band{730.0, 0.9283, 0.015}, Band{760.0, 0.5609, 0.04}}) {
     double ours = 0.0;
     for (int i = 0; i < 10; ++i) {
       const auto nm = air.constituents(published.first_nm + i, 1.0, 0.0);
