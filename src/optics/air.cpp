@@ -36,6 +36,11 @@ void check_options(const AirOptions& options) {
   options.aerosol.validate();
 }
 
+void check_band(double band_nm) {
+  if (!(band_nm > 0.0 && band_nm <= 100.0))
+    throw InputError("band width {} nm: must lie within 0-100 nm, 0 excluded", band_nm);
+}
+
 }  // namespace
 
 Air::Air(Profile profile, AirOptions options) : profile_(std::move(profile)), options_(std::move(options)) {
@@ -109,35 +114,79 @@ void Air::check(double wavelength_nm, double aod500) {
     throw InputError("aerosol optical depth {}: must be finite and not negative", aod500);
 }
 
-OpticalColumn Air::column(double wavelength_nm, double aod500) const {
-  check(wavelength_nm, aod500);
+std::vector<Constituent> Air::smooth_constituents(double wavelength_nm, double aod500) const {
+  const std::size_t layers = air_per_m2_.size();
+  const auto constituent = [&](std::string name, const auto& depth_of_layer) {
+    AbsorptionTerm term{1.0, std::vector<double>(layers)};
+    for (std::size_t layer = 0; layer < layers; ++layer) term.depth[layer] = depth_of_layer(layer);
+    return Constituent{std::move(name), {std::move(term)}};
+  };
+  std::vector<Constituent> result;
   const double rayleigh_m2 = rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_);
+  result.push_back(
+      constituent("rayleigh", [&](std::size_t layer) { return rayleigh_m2 * air_per_m2_[layer]; }));
+  for (const GasLayers& absorber : absorbers_)
+    result.push_back(constituent(absorber.gas.name, [&](std::size_t layer) {
+      return absorption_depth(absorber.gas.cross_section, absorber.nodes[layer], wavelength_nm);
+    }));
   const double aerosol_depth = aod500 * options_.aerosol.relative_depth(wavelength_nm);
-  const double aerosol_albedo = options_.aerosol.single_scattering_albedo_at(wavelength_nm);
+  result.push_back(constituent("aerosol", [&](std::size_t layer) {
+    return aod500 > 0.0 ? aerosol_depth *
+                              aerosol_fraction(shells_.levels_km[layer], shells_.levels_km[layer + 1], aod500)
+                        : 0.0;
+  }));
+  return result;
+}
 
+OpticalColumn Air::scattering_column(double wavelength_nm, const std::vector<Constituent>& constituents,
+                                     double aod500) const {
   OpticalColumn column;
   column.ground_albedo = options_.ground_albedo;
-  Scatterer molecules{
-      std::make_shared<RayleighPhaseFunction>(depolarisation_of_air(wavelength_nm, carbon_dioxide_fraction_)),
-      {}};
-  Scatterer aerosol{options_.aerosol.phase_function(wavelength_nm), {}};
-  for (std::size_t layer = 0; layer < air_per_m2_.size(); ++layer) {
-    const double scattering = rayleigh_m2 * air_per_m2_[layer];
-    double extinction = scattering;
-    molecules.scattering_depth.push_back(scattering);
-    for (const GasLayers& absorber : absorbers_)
-      extinction += absorption_depth(absorber.gas.cross_section, absorber.nodes[layer], wavelength_nm);
-    if (aod500 > 0.0) {
-      const double haze =
-          aerosol_depth * aerosol_fraction(shells_.levels_km[layer], shells_.levels_km[layer + 1], aod500);
-      extinction += haze;
-      aerosol.scattering_depth.push_back(aerosol_albedo * haze);
-    }
-    column.extinction_depth.push_back(extinction);
+  column.extinction_depth.assign(air_per_m2_.size(), 0.0);
+  column.scatterers.push_back({std::make_shared<RayleighPhaseFunction>(
+                                   depolarisation_of_air(wavelength_nm, carbon_dioxide_fraction_)),
+                               constituents.front().terms.front().depth});
+  if (aod500 > 0.0) {
+    const double albedo = options_.aerosol.single_scattering_albedo_at(wavelength_nm);
+    Scatterer aerosol{options_.aerosol.phase_function(wavelength_nm),
+                      constituents.back().terms.front().depth};
+    for (double& depth : aerosol.scattering_depth) depth *= albedo;
+    column.scatterers.push_back(std::move(aerosol));
   }
-  column.scatterers.push_back(std::move(molecules));
-  if (aod500 > 0.0) column.scatterers.push_back(std::move(aerosol));
   return column;
+}
+
+OpticalColumn Air::column(double wavelength_nm, double aod500) const {
+  check(wavelength_nm, aod500);
+  const std::vector<Constituent> constituents = smooth_constituents(wavelength_nm, aod500);
+  OpticalColumn column = scattering_column(wavelength_nm, constituents, aod500);
+  for (const Constituent& constituent : constituents)
+    for (std::size_t layer = 0; layer < air_per_m2_.size(); ++layer)
+      column.extinction_depth[layer] += constituent.terms.front().depth[layer];
+  return column;
+}
+
+std::vector<Constituent> Air::constituents(double wavelength_nm, double band_nm, double aod500) const {
+  check(wavelength_nm, aod500);
+  check_band(band_nm);
+  return smooth_constituents(wavelength_nm, aod500);
+}
+
+std::vector<ColumnTerm> Air::band_columns(double wavelength_nm, double band_nm, double aod500) const {
+  const std::vector<Constituent> constituents = this->constituents(wavelength_nm, band_nm, aod500);
+  std::vector<ColumnTerm> columns{{1.0, scattering_column(wavelength_nm, constituents, aod500)}};
+  for (const Constituent& constituent : constituents) {
+    std::vector<ColumnTerm> product;
+    for (const ColumnTerm& before : columns)
+      for (const AbsorptionTerm& term : constituent.terms) {
+        product.push_back(before);
+        product.back().weight *= term.weight;
+        for (std::size_t layer = 0; layer < air_per_m2_.size(); ++layer)
+          product.back().column.extinction_depth[layer] += term.depth[layer];
+      }
+    columns = std::move(product);
+  }
+  return columns;
 }
 
 std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double aod500,

@@ -30,14 +30,27 @@ void check(const SkyScene& scene) {
     throw InputError("sky scene: needs at least one altitude, turbidity, sun and direction");
 }
 
-// The solver's lanes: every wavelength of the first turbidity, then of the next.
-std::vector<OpticalColumn> optical_columns(const Air& air, const SkyScene& scene) {
+// The solver's lanes: of the first turbidity every wavelength with all its terms, then of the next.
+struct Lanes {
   std::vector<OpticalColumn> columns;
-  columns.reserve(scene.turbidities.size() * scene.wavelengths.size());
-  for (const Turbidity& turbidity : scene.turbidities)
-    for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
-      columns.push_back(air.column(scene.wavelengths[i], to_aod500(turbidity, air)));
-  return columns;
+  std::vector<double> weights;     // of each column
+  std::vector<std::size_t> first;  // column of each turbidity and wavelength, and the end
+};
+
+Lanes lanes_of(const Air& air, const SkyScene& scene) {
+  Lanes lanes;
+  for (const Turbidity& turbidity : scene.turbidities) {
+    const double aod500 = to_aod500(turbidity, air);
+    for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
+      lanes.first.push_back(lanes.columns.size());
+      for (ColumnTerm& term : air.band_columns(scene.wavelengths[i], scene.wavelengths.step_nm(), aod500)) {
+        lanes.columns.push_back(std::move(term.column));
+        lanes.weights.push_back(term.weight);
+      }
+    }
+  }
+  lanes.first.push_back(lanes.columns.size());
+  return lanes;
 }
 
 // W m⁻² nm⁻¹ on a plane normal to the beam at the top of the atmosphere, per wavelength.
@@ -70,14 +83,15 @@ void add_colours(SkyMap& map, const std::vector<Xyz>& weights) {
 std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& options) {
   check(scene);
 
-  // 1. The atmosphere becomes optical depths: one column per wavelength and turbidity.
+  // 1. The atmosphere becomes optical depths: columns for every turbidity and wavelength, more than one
+  // where lines absorb.
   const Air air(scene.profile, scene.air);
-  const std::vector<OpticalColumn> columns = optical_columns(air, scene);
+  const Lanes lanes = lanes_of(air, scene);
 
   // 2. Radiative transfer, once for everything: sr⁻¹ per unit solar irradiance.
   const ViewSet views(scene.directions, scene.suns);
   const SkyRequest request{scene.altitudes_km, views.unique_sun_zeniths_deg(), views.unique_views()};
-  const SkyRadiance sky = solve_sky_radiance(air.shells(), columns, request, options);
+  const SkyRadiance sky = solve_sky_radiance(air.shells(), lanes.columns, request, options);
 
   // 3. The sun's spectrum makes it radiance, the eye's makes it colour.
   const std::vector<double> irradiance = solar_irradiance(scene);
@@ -98,10 +112,14 @@ std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& o
     map.wavelengths = scene.wavelengths;
     map.radiance.reserve(map.directions.size() * wavelengths);
     for (std::size_t direction = 0; direction < map.directions.size(); ++direction)
-      for (std::size_t i = 0; i < wavelengths; ++i)
-        map.radiance.push_back(
-            static_cast<float>(irradiance[i] * sky.at(load * wavelengths + i, observer, views.sun_index(sun),
-                                                      views.view_index(direction, sun))));
+      for (std::size_t i = 0; i < wavelengths; ++i) {
+        const std::size_t band = load * wavelengths + i;
+        double radiance = 0.0;
+        for (std::size_t lane = lanes.first[band]; lane < lanes.first[band + 1]; ++lane)
+          radiance += lanes.weights[lane] *
+                      sky.at(lane, observer, views.sun_index(sun), views.view_index(direction, sun));
+        map.radiance.push_back(static_cast<float>(irradiance[i] * radiance));
+      }
     add_colours(map, weights);
   });
   return maps;

@@ -29,6 +29,25 @@ struct ConstituentDepth {
   double depth = 0.0;
 };
 
+/// One way that a band's light is absorbed: the part of the band that meets these depths.
+struct AbsorptionTerm {
+  double weight = 1.0;        ///< part of the band, [0, 1]
+  std::vector<double> depth;  ///< vertical optical depth per layer, bottom to top, >= 0
+};
+
+/// What one constituent does to a band of wavelengths: T(m) = Σ weight exp(-m Σ depth) for air mass m. A
+/// smooth constituent has one term of weight 1; a band of lines has several, whose weights sum to 1.
+struct Constituent {
+  std::string name;  ///< as in ConstituentDepth
+  std::vector<AbsorptionTerm> terms;
+};
+
+/// One lane of the solver; the radiance of a band is the weighted sum over its lanes.
+struct ColumnTerm {
+  double weight = 1.0;  ///< [0, 1]; those of a band sum to 1
+  OpticalColumn column;
+};
+
 /// A profile as light sees it: layers for the transfer equation, filled for any wavelength and load.
 ///
 /// Another gravity g than the standard's g0 leaves pressure and temperature at the ground as they are
@@ -44,12 +63,23 @@ class Air {
   /// Levels from the ground to 100 km, 0.1 km apart at the ground, 20 km at the top.
   const Shells& shells() const { return shells_; }
 
-  /// Layers of one wavelength and load. Layer depths are integrals of the continuous profile
-  /// (relative accuracy 1e-8), not level values times thickness.
+  /// Layers of one wavelength and load, smooth constituents only (no lines). Layer depths are integrals of
+  /// the continuous profile (relative accuracy 1e-8), not level values times thickness.
   /// @param wavelength_nm  [300, 1000]
   /// @param aod500         total vertical aerosol optical depth above the ground at 500 nm, >= 0
   /// @throws InputError  for values out of range
   OpticalColumn column(double wavelength_nm, double aod500) const;
+
+  /// What each constituent does to a band, layer by layer, in the order of optical_depths. Extinction
+  /// for scatterers. Absorption by lines of different gases is independent: transmittances multiply.
+  /// @param wavelength_nm  middle of the band, [300, 1000]
+  /// @param band_nm        its width, > 0
+  /// @throws InputError  for values out of range
+  std::vector<Constituent> constituents(double wavelength_nm, double band_nm, double aod500) const;
+
+  /// The columns whose weighted radiances are the band's: every combination of the constituents' terms.
+  /// @throws InputError  as constituents
+  std::vector<ColumnTerm> band_columns(double wavelength_nm, double band_nm, double aod500) const;
 
   /// Optical depth of every constituent above an altitude of the shells, in the order Rayleigh,
   /// absorbing gases, aerosol. @param altitude_km  [0, top]
@@ -78,6 +108,10 @@ class Air {
   };
 
   static void check(double wavelength_nm, double aod500);
+  std::vector<Constituent> smooth_constituents(double wavelength_nm, double aod500) const;
+  // Scatterers and extinction 0.
+  OpticalColumn scattering_column(double wavelength_nm, const std::vector<Constituent>& constituents,
+                                  double aod500) const;
   static double absorption_depth(const CrossSection& cross_section, const std::vector<ColumnNode>& nodes,
                                  double wavelength_nm);
   std::vector<ColumnNode> gas_nodes(const std::string& name, double lower_km, double upper_km) const;
