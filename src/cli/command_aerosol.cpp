@@ -5,13 +5,16 @@
 #include <complex>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "aerosol_report.hpp"
 #include "commands.hpp"
 #include "number_options.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/optics/aerosol.hpp"
 #include "skylut/optics/mie_sphere.hpp"
 #include "text.hpp"
 
@@ -94,11 +97,48 @@ void add_mie(CLI::App& aerosol) {
   mie->callback([options] { show_mie(*options); });
 }
 
+void list_aerosols() {
+  for (const std::string& name : aerosol_names())
+    fmt::print("{:<26} {}\n", name, load_aerosol_description(name).description);
+}
+
+struct ShowOptions {
+  std::string name;
+  std::optional<double> humidity_percent;
+  bool json = false;
+};
+
+void show_aerosol(const ShowOptions& options) {
+  const AerosolDescription description = load_aerosol_description(options.name, options.humidity_percent);
+  const AerosolOptics optics = aerosol_optics(description);
+  if (options.json)
+    fmt::print("{}\n", aerosol_json(description, optics).dump(2));
+  else
+    fmt::print("{}", aerosol_text(description, optics));
+}
+
+void add_show(CLI::App& aerosol) {
+  CLI::App* show = aerosol.add_subcommand("show", "Optics by wavelength, Angstrom exponents, vertical shape");
+  const auto options = std::make_shared<ShowOptions>();
+  show->add_option("name", options->name, "aerosol name or TOML file")->required();
+  show->add_option_function<std::string>(
+          "--humidity",
+          [options](const std::string& text) {
+            options->humidity_percent = parse_number("--humidity", text, {0.0, 99.0, "%"});
+          },
+          "relative humidity in percent, for particles that take up water; default: the file's")
+      ->type_name("NUMBER");
+  show->add_flag("--json", options->json, "write JSON, in full precision");
+  show->callback([options] { show_aerosol(*options); });
+}
+
 }  // namespace
 
 void add_aerosol_command(CLI::App& program) {
-  CLI::App* aerosol = program.add_subcommand("aerosol", "Aerosols: single spheres by Mie's theory");
+  CLI::App* aerosol = program.add_subcommand("aerosol", "Aerosols: which there are, what they do to light");
   aerosol->require_subcommand(1);
+  aerosol->add_subcommand("list", "Names of the aerosols that come with skylut")->callback(list_aerosols);
+  add_show(*aerosol);
   add_mie(*aerosol);
 }
 

@@ -39,6 +39,20 @@ void SceneOptions::add_to(CLI::App& command) {
       ->default_str(turbidity_kind_)
       ->type_name("KIND")
       ->group(air);
+  command
+      .add_option("--aerosol", aerosol_, "what the aerosol is: a name (skylut aerosol list) or a TOML file")
+      ->capture_default_str()
+      ->type_name("NAME|FILE")
+      ->group(air);
+  command
+      .add_option_function<std::string>(
+          "--humidity",
+          [this](const std::string& text) {
+            humidity_percent_ = parse_number("--humidity", text, {0.0, 99.0, "%"});
+          },
+          "relative humidity in percent that its particles have grown at; default: the aerosol's")
+      ->type_name("NUMBER")
+      ->group(air);
   add_number(command, "--albedo", albedo_, {0.0, 1.0, ""}, "of the ground, Lambertian")->group(air);
   command
       .add_option_function<std::string>(
@@ -88,6 +102,7 @@ SkyScene SceneOptions::scene() const {
   SkyScene scene;
   scene.wavelengths = WavelengthGrid::parse(wavelengths_);
   scene.air.ground_albedo = albedo_;
+  scene.air.aerosol = load_aerosol(aerosol_, humidity_percent_);
   scene.air.ozone_du = ozone_du_;
   if (const std::optional<Place> where = place()) {
     scene.air.gravity_m_s2 = normal_gravity_m_s2(*where);
@@ -108,6 +123,8 @@ std::string SceneOptions::command_line() const {
   std::string text =
       fmt::format("--profile {} --turbidity-kind {} --albedo {} --wavelengths-nm {} --quality {}", profile_,
                   turbidity_kind_, albedo_, wavelengths_, quality_);
+  text += fmt::format(" --aerosol {}", aerosol_);
+  if (humidity_percent_) text += fmt::format(" --humidity {}", *humidity_percent_);
   if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
   if (const std::optional<Place> where = place())
     text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg,

@@ -19,8 +19,9 @@ namespace {
 constexpr double kPanel = 0.25;
 constexpr int kNodesPerPart = 4;
 constexpr double kLeastNodes = 2.0;
-// Nodes that a component gets beyond that. Ripples of Q and of the phase function are averaged best for a
-// given cost (x² for a radius) where the nodes lie as extinction over x.
+// Nodes that a component gets beyond that. Ripples of Q and of the phase function, from x = 5 or so, are
+// averaged best for a given cost (x² for a radius) where the nodes lie about as extinction over x; x^1.5 was
+// found best.
 constexpr double kSharedNodes = 1400.0;
 // Panels are left out that hold less than this of the mixture's extinction and of its forward peak (r⁴).
 constexpr double kNegligibleExtinction = 1e-5;
@@ -32,7 +33,7 @@ struct Panel {
   double upper_ln_um;
   double extinction;
   double peak;
-  double demand;  // extinction over x
+  double demand;  // for nodes, see kSharedNodes
 };
 
 double linear_held(const std::vector<double>& x, const std::vector<double>& y, double at) {
@@ -57,7 +58,7 @@ std::vector<Panel> panels_of(const AerosolComponent& component, double per_um) {
     panel.extinction =
         component.number_per_cm3 * component.size.per_log_radius(r) * r * r * quartic / (1.0 + quartic);
     panel.peak = panel.extinction * r * r;
-    panel.demand = panel.extinction / std::pow(x, 1.5);
+    panel.demand = panel.extinction / std::pow(x, 1.5) * std::min(1.0, x * x / 25.0);
     panels.push_back(panel);
   }
   return panels;

@@ -24,6 +24,8 @@ bool is_path(const std::string& text) {
 
 std::vector<std::string> names_in(const std::string& folder) {
   std::vector<std::string> names;
+  if (!std::filesystem::is_directory(profile_directory() / folder))
+    throw WorkError("{}: data folder is missing", (profile_directory() / folder).string());
   for (const auto& entry : std::filesystem::directory_iterator(profile_directory() / folder))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
