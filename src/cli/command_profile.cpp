@@ -24,6 +24,8 @@ struct ShowOptions {
   bool json = false;
   double turbidity = 0.0;
   std::string turbidity_kind = "aod500";
+  std::string aerosol = "henyey-greenstein";
+  std::optional<double> humidity_percent;
   std::string latitude;
   std::string longitude = "0";
   double height_m = 0.0;
@@ -41,6 +43,7 @@ AirOptions air_options(const ShowOptions& options) {
   air.water_cm = options.water_cm;
   air.no2_du = options.no2_du;
   air.surface_pressure_hPa = options.pressure_hpa;
+  air.aerosol = load_aerosol(options.aerosol, options.humidity_percent);
   if (!options.latitude.empty()) {
     const Place place = parse_place(options.latitude, options.longitude, options.height_m);
     air.gravity_m_s2 = normal_gravity_m_s2(place);
@@ -82,6 +85,8 @@ void add_profile_command(CLI::App& program) {
   show->add_option("--turbidity-kind", options->turbidity_kind,
                    "aod500, aod550, angstrom-beta, preetham-t or visibility-km")
       ->capture_default_str();
+  show->add_option("--aerosol", options->aerosol, "aerosol name or TOML file")->capture_default_str();
+  show->add_option("--humidity", options->humidity_percent, "relative humidity of its particles, percent");
   CLI::Option* latitude = show->add_option(
       "--latitude", options->latitude, "decimal or DMS; sets gravity and planet radius (default: standard)");
   show->add_option("--longitude", options->longitude, "decimal or DMS")->needs(latitude);

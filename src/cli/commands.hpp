@@ -23,6 +23,9 @@ void add_compare_command(CLI::App& program);
 /// `skylut profile list|show NAME`: the atmospheres.
 void add_profile_command(CLI::App& program);
 
+/// `skylut aerosol list|show NAME|mie`: what particles do to light.
+void add_aerosol_command(CLI::App& program);
+
 /// `skylut solve CASE.json`: radiative transfer through explicit layers.
 void add_solve_command(CLI::App& program);
 

@@ -67,6 +67,20 @@ void SceneOptions::add_air_to(CLI::App& command) {
       ->type_name("KIND")
       ->group(air);
   command
+      .add_option("--aerosol", aerosol_, "what the aerosol is: a name (skylut aerosol list) or a TOML file")
+      ->capture_default_str()
+      ->type_name("NAME|FILE")
+      ->group(air);
+  command
+      .add_option_function<std::string>(
+          "--humidity",
+          [this](const std::string& text) {
+            humidity_percent_ = parse_number("--humidity", text, {0.0, 99.0, "%"});
+          },
+          "relative humidity in percent that its particles have grown at; default: the aerosol's")
+      ->type_name("NUMBER")
+      ->group(air);
+  command
       .add_option("--albedo", albedo_,
                   "of the ground, Lambertian: a number, grass, sand, snow, water, asphalt or a CSV file")
       ->capture_default_str()
@@ -133,6 +147,7 @@ SkyScene SceneOptions::scene() const {
 AirOptions SceneOptions::air() const {
   AirOptions air;
   air.ground_albedo = parse_albedo(albedo_);
+  air.aerosol = load_aerosol(aerosol_, humidity_percent_);
   air.ozone_du = ozone_du_;
   air.water_cm = water_cm_;
   air.no2_du = no2_du_;
@@ -160,6 +175,8 @@ std::string SceneOptions::command_line() const {
 
 std::string SceneOptions::air_command_line() const {
   std::string text = fmt::format("--turbidity-kind {} --albedo {}", turbidity_kind_, albedo_);
+  text += fmt::format(" --aerosol {}", aerosol_);
+  if (humidity_percent_) text += fmt::format(" --humidity {}", *humidity_percent_);
   if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
   if (water_cm_) text += fmt::format(" --water-cm {}", *water_cm_);
   if (no2_du_) text += fmt::format(" --no2-du {}", *no2_du_);

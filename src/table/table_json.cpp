@@ -45,14 +45,25 @@ Json profile_json(const Profile& profile) {
 }
 
 Json aerosol_json(const AerosolOptics& aerosol) {
-  return {{"angstrom_exponent", aerosol.angstrom_exponent},
-          {"wavelength_nm", aerosol.wavelength_nm},
-          {"single_scattering_albedo", aerosol.single_scattering_albedo},
-          {"asymmetry", aerosol.asymmetry},
-          {"haze_scale_height_km", aerosol.shape.haze_scale_height_km},
-          {"stratospheric_aod500", aerosol.shape.stratospheric_aod500},
-          {"stratospheric_centre_km", aerosol.shape.stratospheric_centre_km},
-          {"stratospheric_width_km", aerosol.shape.stratospheric_width_km}};
+  std::vector<double> extinction;
+  for (const double nm : aerosol.wavelength_nm) extinction.push_back(aerosol.relative_depth(nm));
+  Json json{{"name", aerosol.name},
+            {"wavelength_nm", aerosol.wavelength_nm},
+            {"relative_extinction", extinction},
+            {"single_scattering_albedo", aerosol.single_scattering_albedo},
+            {"asymmetry", aerosol.asymmetry}};
+  if (aerosol.shape.altitude_km.empty()) {
+    json["mixed_layer_km"] = aerosol.shape.mixed_layer_km;
+    json["haze_scale_height_km"] = aerosol.shape.haze_scale_height_km;
+  } else {
+    json["haze_altitude_km"] = aerosol.shape.altitude_km;
+    json["haze_relative_extinction"] = aerosol.shape.relative_extinction;
+  }
+  json["stratospheric_aerosol"] = aerosol.stratospheric_optics().name;
+  json["stratospheric_aod500"] = aerosol.shape.stratospheric_aod500;
+  json["stratospheric_centre_km"] = aerosol.shape.stratospheric_centre_km;
+  json["stratospheric_width_km"] = aerosol.shape.stratospheric_width_km;
+  return json;
 }
 
 double ozone_column_du(const Profile& profile) {

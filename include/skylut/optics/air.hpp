@@ -108,6 +108,11 @@ class Air {
   double rayleigh_extinction_at_ground_per_km(double wavelength_nm) const;
   double aerosol_extinction_at_ground_per_km(double wavelength_nm, double aod500) const;
 
+  /// Aerosol optical depth of the whole column; and the load, at 500 nm, of which it is that.
+  /// @param aod500, depth  finite, >= 0
+  double aerosol_depth(double wavelength_nm, double aod500) const;
+  double aod500_of_aerosol_depth(double wavelength_nm, double depth) const;
+
   /// Carbon dioxide's mole fraction at the ground, for the Rayleigh cross-section.
   double carbon_dioxide_fraction() const { return carbon_dioxide_fraction_; }
 
@@ -147,8 +152,15 @@ class Air {
   std::vector<Constituent> all_constituents(double wavelength_nm, double band_nm, double aod500,
                                             bool few_terms) const;
   double air_between_per_m2(double lower_km, double upper_km) const;
-  // Part of the aerosol's optical depth that lies between two altitudes.
-  double aerosol_fraction(double lower_km, double upper_km, double aod500) const;
+  // Aerosol's optical depth between two altitudes.
+  struct AerosolDepth {
+    double haze;
+    double layer;  // in the stratosphere
+  };
+  void add_aerosol(double wavelength_nm, double aod500, OpticalColumn& column) const;
+  AerosolDepth aerosol_between(double lower_km, double upper_km, double wavelength_nm, double aod500) const;
+  // A profile that says where the aerosol is knows no stratospheric layer.
+  bool has_stratospheric_layer() const { return profile_.relative_aerosol_extinction.empty(); }
 
   Profile profile_;
   AirOptions options_;
