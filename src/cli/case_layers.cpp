@@ -55,18 +55,33 @@ void add_henyey_greenstein(ScattererList& list, std::size_t index, double g, dou
            [g] { return std::make_shared<const HenyeyGreensteinPhaseFunction>(g); });
 }
 
+void add_moments(ScattererList& list, std::size_t index, const JsonReader& place, double depth) {
+  const std::vector<double> moments = place.numbers(-1.0, 1.0, "within -1 to 1 (a Legendre moment)");
+  if (std::abs(moments[0] - 1.0) > 1e-6) place.refuse("the first moment must be 1");
+  std::vector<double> key = moments;
+  key.insert(key.begin(), kMomentsKey);
+  if (depth > 0.0)
+    list.add(key, index, depth, [&] { return std::make_shared<const LegendrePhaseFunction>(moments); });
+}
+
 /// Molecules, one aerosol and an absorber. @return extinction depth
-double read_air(const JsonReader& layer, std::size_t index, ScattererList& list) {
-  layer.only({"tau_rayleigh", "tau_aerosol", "ssa_aerosol", "g_aerosol", "tau_absorption"});
+double read_air(const JsonReader& layer, std::size_t index, double rayleigh_depolarisation,
+                ScattererList& list) {
+  layer.only(
+      {"tau_rayleigh", "tau_aerosol", "ssa_aerosol", "g_aerosol", "tau_absorption", "phase_moments_aerosol"});
   const double rayleigh = depth_of(layer, "tau_rayleigh");
   const double aerosol = depth_of(layer, "tau_aerosol");
   const double albedo = albedo_of(layer, "ssa_aerosol");
   const double g = asymmetry_of(layer, "g_aerosol");
   const double absorption = depth_of(layer, "tau_absorption");
   if (rayleigh > 0.0)
-    list.add({kRayleighKey}, index, rayleigh,
-             [] { return std::make_shared<const RayleighPhaseFunction>(0.0); });
-  if (aerosol * albedo > 0.0) add_henyey_greenstein(list, index, g, aerosol * albedo);
+    list.add({kRayleighKey}, index, rayleigh, [rayleigh_depolarisation] {
+      return std::make_shared<const RayleighPhaseFunction>(rayleigh_depolarisation);
+    });
+  if (layer.has("phase_moments_aerosol"))
+    add_moments(list, index, layer.at("phase_moments_aerosol"), aerosol * albedo);
+  else if (aerosol * albedo > 0.0)
+    add_henyey_greenstein(list, index, g, aerosol * albedo);
   return rayleigh + aerosol + absorption;
 }
 
@@ -82,24 +97,19 @@ double read_medium(const JsonReader& layer, std::size_t index, ScattererList& li
     if (scattering > 0.0) add_henyey_greenstein(list, index, g, scattering);
     return depth;
   }
-  const JsonReader place = layer.at("phase_moments");
-  const std::vector<double> moments = place.numbers(-1.0, 1.0, "within -1 to 1 (a Legendre moment)");
-  if (std::abs(moments[0] - 1.0) > 1e-6) place.refuse("the first moment must be 1");
-  std::vector<double> key = moments;
-  key.insert(key.begin(), kMomentsKey);
-  if (scattering > 0.0)
-    list.add(key, index, scattering, [&] { return std::make_shared<const LegendrePhaseFunction>(moments); });
+  add_moments(list, index, layer.at("phase_moments"), scattering);
   return depth;
 }
 
 }  // namespace
 
-OpticalColumn read_layers(const std::vector<JsonReader>& layers) {
+OpticalColumn read_layers(const std::vector<JsonReader>& layers, double rayleigh_depolarisation) {
   OpticalColumn column;
   ScattererList list(layers.size());
   for (std::size_t i = 0; i < layers.size(); ++i)
-    column.extinction_depth.push_back(layers[i].has("tau") ? read_medium(layers[i], i, list)
-                                                           : read_air(layers[i], i, list));
+    column.extinction_depth.push_back(layers[i].has("tau")
+                                          ? read_medium(layers[i], i, list)
+                                          : read_air(layers[i], i, rayleigh_depolarisation, list));
   column.scatterers = list.take();
   return column;
 }

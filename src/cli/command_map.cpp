@@ -18,7 +18,7 @@
 #include "skylut/export/projection.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/export/sky_exr.hpp"
-#include "skylut/site/sun.hpp"
+#include "sun_option.hpp"
 
 namespace skylut::cli {
 
@@ -31,17 +31,13 @@ struct MapOptions {
   fs::path out;
   double altitude_km = 0.0;
   double turbidity = 0.1;
-  double sun_zenith_deg = 0.0;
-  double sun_azimuth_deg = 180.0;
-  std::string time;
+  SunOption sun;
   std::string directions = "utm271";
   std::string projection = "latlong";
   std::string channels = "rgb";
   int size = 256;
   // Which of them were typed: options that exclude each other or belong to one kind of file.
   const CLI::Option* turbidity_option = nullptr;
-  const CLI::Option* sun_zenith_option = nullptr;
-  const CLI::Option* sun_azimuth_option = nullptr;
   const CLI::Option* directions_option = nullptr;
   std::vector<const CLI::Option*> picture_options;
 };
@@ -62,36 +58,13 @@ FileKind kind_of(const MapOptions& options) {
   return csv ? FileKind::csv : FileKind::exr;
 }
 
-// The sun is given by its angles or by place and time.
-void add_sun(const MapOptions& options, SkyScene& scene) {
-  const bool by_angles = options.sun_zenith_option->count() > 0;
-  if (options.time.empty()) {
-    if (!by_angles) throw InputError("no sun: give --sun-zenith-deg, or --latitude, --longitude and --time");
-    scene.suns = {{options.sun_zenith_deg, options.sun_azimuth_deg}};
-    return;
-  }
-  if (by_angles || options.sun_azimuth_option->count() > 0)
-    throw InputError("--time {}: gives the sun, must not be given with {}", options.time,
-                     by_angles ? "--sun-zenith-deg" : "--sun-azimuth-deg");
-  const std::optional<Place> place = options.scene.place();
-  if (!place || !options.scene.has_longitude())
-    throw InputError("--time {}: needs --latitude and --longitude", options.time);
-  const UtcTime time = parse_time(options.time);
-  const Direction sun = sun_direction(*place, time);
-  if (sun.zenith_deg > kLowestSun_deg)
-    throw InputError("--time {}: the sun is {:.2f} deg from the zenith, must be at most {} deg", options.time,
-                     sun.zenith_deg, kLowestSun_deg);
-  scene.suns = {sun};
-  scene.sun_distance_au = earth_sun_distance_au(time);
-}
-
 SkyScene scene_of(const MapOptions& options) {
   if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
     throw InputError("--turbidity-kind: needs --turbidity");
   SkyScene scene = options.scene.scene();
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.turbidity_kind(), options.turbidity}};
-  add_sun(options, scene);
+  options.sun.put_into(scene, options.scene, kLowestSun_deg);
   return scene;
 }
 
@@ -175,13 +148,7 @@ void add_map_command(CLI::App& program) {
              "of the observer above the ground, 0 to 30");
   options->turbidity_option = add_number(command, "--turbidity", options->turbidity, {0.0, 1e6, ""},
                                          "of the kind of --turbidity-kind");
-  CLI::Option* const sun_zenith = add_number(command, "--sun-zenith-deg", options->sun_zenith_deg,
-                                             {0.0, kLowestSun_deg, "deg"}, "of the sun, 0 to 96");
-  options->sun_zenith_option = sun_zenith->default_str("");
-  options->sun_azimuth_option = add_number(command, "--sun-azimuth-deg", options->sun_azimuth_deg,
-                                           {0.0, 360.0, "deg"}, "of the sun, clockwise from north");
-  command.add_option("--time", options->time, "instead of the sun's angles, with a place: 2024-06-21T09:00Z")
-      ->type_name("TIME");
+  options->sun.add_to(command, kLowestSun_deg);
   options->directions_option =
       command.add_option("--directions", options->directions, "utm271, preetham343 or a CSV file (for .csv)")
           ->capture_default_str()

@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "command_profile_case.hpp"
 #include "commands.hpp"
 #include "profile_report.hpp"
+#include "scene_options.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/optics/turbidity.hpp"
 #include "skylut/profile/profile.hpp"
@@ -22,23 +24,26 @@ struct ShowOptions {
   bool json = false;
   double turbidity = 0.0;
   std::string turbidity_kind = "aod500";
+  std::string aerosol = "henyey-greenstein";
+  std::optional<double> humidity_percent;
   std::string latitude;
   std::string longitude = "0";
   double height_m = 0.0;
   std::optional<double> ozone_du;
+  std::string albedo = "0.2";
   std::optional<double> water_cm;
   std::optional<double> no2_du;
   std::optional<double> pressure_hpa;
-  double albedo = 0.2;
 };
 
 AirOptions air_options(const ShowOptions& options) {
   AirOptions air;
-  air.ground_albedo = options.albedo;
+  air.ground_albedo = parse_albedo(options.albedo);
   air.ozone_du = options.ozone_du;
   air.water_cm = options.water_cm;
   air.no2_du = options.no2_du;
   air.surface_pressure_hPa = options.pressure_hpa;
+  air.aerosol = load_aerosol(options.aerosol, options.humidity_percent);
   if (!options.latitude.empty()) {
     const Place place = parse_place(options.latitude, options.longitude, options.height_m);
     air.gravity_m_s2 = normal_gravity_m_s2(place);
@@ -80,6 +85,8 @@ void add_profile_command(CLI::App& program) {
   show->add_option("--turbidity-kind", options->turbidity_kind,
                    "aod500, aod550, angstrom-beta, preetham-t or visibility-km")
       ->capture_default_str();
+  show->add_option("--aerosol", options->aerosol, "aerosol name or TOML file")->capture_default_str();
+  show->add_option("--humidity", options->humidity_percent, "relative humidity of its particles, percent");
   CLI::Option* latitude = show->add_option(
       "--latitude", options->latitude, "decimal or DMS; sets gravity and planet radius (default: standard)");
   show->add_option("--longitude", options->longitude, "decimal or DMS")->needs(latitude);
@@ -90,8 +97,10 @@ void add_profile_command(CLI::App& program) {
                    "nitrogen dioxide column, Dobson units (default: the profile's)");
   show->add_option("--pressure-hpa", options->pressure_hpa,
                    "pressure at the ground; scales the air and its oxygen (default: the profile's)");
-  show->add_option("--albedo", options->albedo, "ground albedo")->capture_default_str();
+  show->add_option("--albedo", options->albedo, "of the ground: a number, a name or a CSV file")
+      ->capture_default_str();
   show->callback([options] { show_profile(*options); });
+  add_profile_case_command(*profile);
 }
 
 }  // namespace skylut::cli

@@ -23,7 +23,13 @@ void add_compare_command(CLI::App& program);
 /// `skylut profile list|show NAME`: the atmospheres.
 void add_profile_command(CLI::App& program);
 
+/// `skylut aerosol list|show NAME|mie`: what particles do to light.
+void add_aerosol_command(CLI::App& program);
+
 /// `skylut solve CASE.json`: radiative transfer through explicit layers.
 void add_solve_command(CLI::App& program);
+
+/// `skylut sun`: where the sun stands and its spectral irradiance.
+void add_sun_command(CLI::App& program);
 
 }  // namespace skylut::cli

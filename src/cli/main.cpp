@@ -79,7 +79,9 @@ int run(int argc, char** argv) {
   skylut::cli::add_fit_command(app);
   skylut::cli::add_compare_command(app);
   skylut::cli::add_profile_command(app);
+  skylut::cli::add_aerosol_command(app);
   skylut::cli::add_solve_command(app);
+  skylut::cli::add_sun_command(app);
   require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);

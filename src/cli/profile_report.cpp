@@ -69,6 +69,12 @@ double total_of(const std::vector<ConstituentDepth>& depths) {
   return total;
 }
 
+// A number, or the name of a curve.
+ordered_json ground_json(const GroundAlbedo& ground) {
+  if (const std::optional<double> number = ground.constant()) return *number;
+  return ground.name();
+}
+
 std::string heading(const AirOptions& options, const Profile& profile) {
   const std::string continued =
       profile.described_top_km < profile.altitude_km.back()
@@ -76,9 +82,9 @@ std::string heading(const AirOptions& options, const Profile& profile) {
           : "";
   return fmt::format(
       "{}: {}\n  source: {}\n  described to {:g} km{}\n"
-      "  gravity {:.5f} m/s2, planet radius {:g} km, ground albedo {:g}\n",
+      "  gravity {:.5f} m/s2, planet radius {:g} km, ground albedo {}\n",
       profile.name, profile.description, profile.source, profile.described_top_km, continued,
-      options.gravity_m_s2, options.planet_radius_km, options.ground_albedo);
+      options.gravity_m_s2, options.planet_radius_km, options.ground_albedo.text());
 }
 
 std::string quantities_table(const Profile& profile) {
@@ -153,7 +159,7 @@ ordered_json profile_json(const Air& air, double aod500) {
                     {"described_top_km", profile.described_top_km},
                     {"gravity_m_s2", air.options().gravity_m_s2},
                     {"planet_radius_km", air.options().planet_radius_km},
-                    {"ground_albedo", air.options().ground_albedo}};
+                    {"ground_albedo", ground_json(air.options().ground_albedo)}};
 
   ordered_json& written = json["columns"] = ordered_json::array();
   for (const ProfileColumn& column : profile.columns)

@@ -6,6 +6,7 @@
 
 #include "number_options.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/site/sun.hpp"
 #include "text.hpp"
 
 namespace skylut::cli {
@@ -22,12 +23,38 @@ Quality parse_quality(const std::string& text) {
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& command) {
-  const std::string air = "Air";
   command
       .add_option("--profile", profile_, "layered atmosphere: a name (skylut profile list) or a TOML file")
       ->capture_default_str()
       ->type_name("NAME|FILE")
-      ->group(air);
+      ->group("Air");
+  add_air_to(command);
+
+  const std::string sun = "Sun";
+  command
+      .add_option("--solar", solar_,
+                  "spectrum above the air: astm-g173, gueymard2003, kurucz1992 or a CSV file")
+      ->capture_default_str()
+      ->type_name("NAME|FILE")
+      ->group(sun);
+  command.add_option("--date", date_, "sets the Earth-Sun distance: 2026-06-21 (default: the mean distance)")
+      ->type_name("DATE")
+      ->group(sun);
+
+  const std::string computing = "Computing";
+  command.add_option("--wavelengths-nm", wavelengths_, "first, last and step")
+      ->capture_default_str()
+      ->type_name("LO:HI:STEP")
+      ->group(computing);
+  command.add_option("--quality", quality_, "draft, default or reference")
+      ->capture_default_str()
+      ->type_name("NAME")
+      ->group(computing);
+  add_count(command, "--threads", threads_, 0, 1024, "0: one per core; changes no result")->group(computing);
+}
+
+void SceneOptions::add_air_to(CLI::App& command) {
+  const std::string air = "Air";
   command
       .add_option_function<std::string>(
           "--turbidity-kind",
@@ -39,7 +66,26 @@ void SceneOptions::add_to(CLI::App& command) {
       ->default_str(turbidity_kind_)
       ->type_name("KIND")
       ->group(air);
-  add_number(command, "--albedo", albedo_, {0.0, 1.0, ""}, "of the ground, Lambertian")->group(air);
+  command
+      .add_option("--aerosol", aerosol_, "what the aerosol is: a name (skylut aerosol list) or a TOML file")
+      ->capture_default_str()
+      ->type_name("NAME|FILE")
+      ->group(air);
+  command
+      .add_option_function<std::string>(
+          "--humidity",
+          [this](const std::string& text) {
+            humidity_percent_ = parse_number("--humidity", text, {0.0, 99.0, "%"});
+          },
+          "relative humidity in percent that its particles have grown at; default: the aerosol's")
+      ->type_name("NUMBER")
+      ->group(air);
+  command
+      .add_option("--albedo", albedo_,
+                  "of the ground, Lambertian: a number, grass, sand, snow, water, asphalt or a CSV file")
+      ->capture_default_str()
+      ->type_name("NUMBER|NAME|FILE")
+      ->group(air);
   command
       .add_option_function<std::string>(
           "--ozone-du",
@@ -53,7 +99,8 @@ void SceneOptions::add_to(CLI::App& command) {
                            const char* text) {
     command
         .add_option_function<std::string>(
-            name, [&value, name, range](const std::string& given) { value = parse_number(name, given, range); },
+            name,
+            [&value, name, range](const std::string& given) { value = parse_number(name, given, range); },
             text)
         ->type_name("NUMBER")
         ->group(air);
@@ -74,17 +121,6 @@ void SceneOptions::add_to(CLI::App& command) {
       ->group(place);
   add_number(command, "--height-m", height_m_, {-500.0, 9000.0, "m"}, "of the ground above the ellipsoid")
       ->group(place);
-
-  const std::string computing = "Computing";
-  command.add_option("--wavelengths-nm", wavelengths_, "first, last and step")
-      ->capture_default_str()
-      ->type_name("LO:HI:STEP")
-      ->group(computing);
-  command.add_option("--quality", quality_, "draft, default or reference")
-      ->capture_default_str()
-      ->type_name("NAME")
-      ->group(computing);
-  add_count(command, "--threads", threads_, 0, 1024, "0: one per core; changes no result")->group(computing);
 }
 
 std::optional<Place> SceneOptions::place() const {
@@ -101,17 +137,26 @@ TurbidityKind SceneOptions::turbidity_kind() const { return parse_turbidity_kind
 SkyScene SceneOptions::scene() const {
   SkyScene scene;
   scene.wavelengths = WavelengthGrid::parse(wavelengths_);
-  scene.air.ground_albedo = albedo_;
-  scene.air.ozone_du = ozone_du_;
-  scene.air.water_cm = water_cm_;
-  scene.air.no2_du = no2_du_;
-  scene.air.surface_pressure_hPa = surface_pressure_hPa_;
-  if (const std::optional<Place> where = place()) {
-    scene.air.gravity_m_s2 = normal_gravity_m_s2(*where);
-    scene.air.planet_radius_km = radius_of_curvature_km(*where);
-  }
+  scene.air = air();
   scene.profile = load_profile(profile_);
+  scene.solar = solar_;
+  if (has_date()) scene.sun_distance_au = earth_sun_distance_au(parse_date(date_));
   return scene;
+}
+
+AirOptions SceneOptions::air() const {
+  AirOptions air;
+  air.ground_albedo = parse_albedo(albedo_);
+  air.aerosol = load_aerosol(aerosol_, humidity_percent_);
+  air.ozone_du = ozone_du_;
+  air.water_cm = water_cm_;
+  air.no2_du = no2_du_;
+  air.surface_pressure_hPa = surface_pressure_hPa_;
+  if (const std::optional<Place> where = place()) {
+    air.gravity_m_s2 = normal_gravity_m_s2(*where);
+    air.planet_radius_km = radius_of_curvature_km(*where);
+  }
+  return air;
 }
 
 TransferOptions SceneOptions::transfer() const {
@@ -122,9 +167,16 @@ TransferOptions SceneOptions::transfer() const {
 }
 
 std::string SceneOptions::command_line() const {
-  std::string text =
-      fmt::format("--profile {} --turbidity-kind {} --albedo {} --wavelengths-nm {} --quality {}", profile_,
-                  turbidity_kind_, albedo_, wavelengths_, quality_);
+  std::string text = fmt::format("--profile {} --wavelengths-nm {} --quality {} --solar {}", profile_,
+                                 wavelengths_, quality_, solar_);
+  if (has_date()) text += fmt::format(" --date {}", date_);
+  return text + " " + air_command_line();
+}
+
+std::string SceneOptions::air_command_line() const {
+  std::string text = fmt::format("--turbidity-kind {} --albedo {}", turbidity_kind_, albedo_);
+  text += fmt::format(" --aerosol {}", aerosol_);
+  if (humidity_percent_) text += fmt::format(" --humidity {}", *humidity_percent_);
   if (ozone_du_) text += fmt::format(" --ozone-du {}", *ozone_du_);
   if (water_cm_) text += fmt::format(" --water-cm {}", *water_cm_);
   if (no2_du_) text += fmt::format(" --no2-du {}", *no2_du_);
@@ -133,6 +185,16 @@ std::string SceneOptions::command_line() const {
     text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg,
                         where->longitude_deg, where->height_m);
   return text;
+}
+
+GroundAlbedo parse_albedo(const std::string& text) {
+  const bool is_number = !text.empty() && text.find_first_not_of("+-.eE0123456789") == std::string::npos;
+  if (is_number) return parse_number("--albedo", text, {0.0, 1.0, ""});
+  try {
+    return GroundAlbedo::load(text);
+  } catch (const InputError& error) {
+    throw InputError("--albedo: {}", error.what());
+  }
 }
 
 Direction parse_sun(const std::string& text) {

@@ -28,6 +28,14 @@ void refuse_what_plane_parallel_cannot(const JsonReader& file, const SolveOption
                     file.name(), options.orders);
 }
 
+OpticalColumn read_column(const JsonReader& file) {
+  const double depolarisation =
+      file.has("rayleigh_depolarisation")
+          ? file.at("rayleigh_depolarisation").number(0.0, 0.5, "within 0-0.5 (a depolarisation ratio)")
+          : 0.0;
+  return read_layers(file.at("layers").elements(), depolarisation);
+}
+
 double read_albedo(const JsonReader& file) { return file.at("albedo").number(0.0, 1.0, "within 0-1"); }
 
 // ---- schema of problems in optical depth: keys beam, outputs, layers top to bottom
@@ -40,7 +48,7 @@ Json solve_depth_schema(const JsonReader& file, const SolveOptions& options) {
   refuse_what_plane_parallel_cannot(file, options);
   if (const std::string order = file.at("layer_order").text(); order != "top to bottom")
     file.at("layer_order").refuse(fmt::format("\"{}\" must be \"top to bottom\"", order));
-  OpticalColumn column = read_layers(file.at("layers").elements());
+  OpticalColumn column = read_column(file);
   reverse_layers(column);
   column.ground_albedo = read_albedo(file);
 
@@ -118,7 +126,7 @@ AltitudeCase read_altitude_schema(const JsonReader& file) {
   if (layers.size() + 1 != read.shells.levels_km.size())
     file.at("layers").refuse(fmt::format("{} layers must be one fewer than the {} levels_km", layers.size(),
                                          read.shells.levels_km.size()));
-  read.column = read_layers(layers);
+  read.column = read_column(file);
   read.column.ground_albedo = read_albedo(file);
   const double top = read.shells.levels_km.back();
   read.observer_km =

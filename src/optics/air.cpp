@@ -29,8 +29,7 @@ std::vector<double> layer_levels_km(double top_km) {
 }
 
 void check_options(const AirOptions& options) {
-  if (!(options.ground_albedo >= 0.0 && options.ground_albedo <= 1.0))
-    throw InputError("ground albedo {}: must lie within 0-1", options.ground_albedo);
+  options.ground_albedo.validate();
   if (options.ozone_du && !(*options.ozone_du >= 0.0 && *options.ozone_du <= 1000.0))
     throw InputError("ozone column {} DU: must lie within 0-1000 DU", *options.ozone_du);
   if (options.no2_du && !(*options.no2_du >= 0.0 && *options.no2_du <= 100.0))
@@ -154,14 +153,23 @@ Constituent Air::line_constituent(const LineLayers& absorber, double wavelength_
   return constituent;
 }
 
-double Air::aerosol_fraction(double lower_km, double upper_km, double aod500) const {
+Air::AerosolDepth Air::aerosol_between(double lower_km, double upper_km, double wavelength_nm,
+                                       double aod500) const {
+  if (aod500 <= 0.0) return {0.0, 0.0};
+  const AerosolOptics& aerosol = options_.aerosol;
   const double top_km = shells_.levels_km.back();
-  if (!profile_.relative_aerosol_extinction.empty()) {
+  if (!has_stratospheric_layer()) {
     const GasProfile extinction{"aerosol", profile_.relative_aerosol_extinction};
-    return gas_column_per_m2(profile_, extinction, lower_km, upper_km) /
-           gas_column_per_m2(profile_, extinction, 0.0, top_km);
+    return {aod500 * aerosol.relative_depth(wavelength_nm) *
+                gas_column_per_m2(profile_, extinction, lower_km, upper_km) /
+                gas_column_per_m2(profile_, extinction, 0.0, top_km),
+            0.0};
   }
-  return options_.aerosol.shape.part_between(lower_km, upper_km, top_km, aod500);
+  const double layer500 = aod500 * aerosol.shape.stratospheric_share(aod500);
+  return {(aod500 - layer500) * aerosol.relative_depth(wavelength_nm) *
+              aerosol.shape.haze_between(lower_km, upper_km, top_km),
+          layer500 * aerosol.stratospheric_optics().relative_depth(wavelength_nm) *
+              aerosol.shape.layer_between(lower_km, upper_km, top_km)};
 }
 
 void Air::check(double wavelength_nm, double aod500) {
@@ -186,11 +194,10 @@ std::vector<Constituent> Air::smooth_constituents(double wavelength_nm, double a
     result.push_back(constituent(absorber.gas.name, [&](std::size_t layer) {
       return absorption_depth(absorber.gas.cross_section, absorber.nodes[layer], wavelength_nm);
     }));
-  const double aerosol_depth = aod500 * options_.aerosol.relative_depth(wavelength_nm);
   result.push_back(constituent("aerosol", [&](std::size_t layer) {
-    return aod500 > 0.0 ? aerosol_depth *
-                              aerosol_fraction(shells_.levels_km[layer], shells_.levels_km[layer + 1], aod500)
-                        : 0.0;
+    const AerosolDepth depth =
+        aerosol_between(shells_.levels_km[layer], shells_.levels_km[layer + 1], wavelength_nm, aod500);
+    return depth.haze + depth.layer;
   }));
   return result;
 }
@@ -198,19 +205,32 @@ std::vector<Constituent> Air::smooth_constituents(double wavelength_nm, double a
 OpticalColumn Air::scattering_column(double wavelength_nm, const std::vector<Constituent>& constituents,
                                      double aod500) const {
   OpticalColumn column;
-  column.ground_albedo = options_.ground_albedo;
+  column.ground_albedo = options_.ground_albedo.at(wavelength_nm);
   column.extinction_depth.assign(air_per_m2_.size(), 0.0);
   column.scatterers.push_back({std::make_shared<RayleighPhaseFunction>(
                                    depolarisation_of_air(wavelength_nm, carbon_dioxide_fraction_)),
                                constituents.front().terms.front().depth});
-  if (aod500 > 0.0) {
-    const double albedo = options_.aerosol.single_scattering_albedo_at(wavelength_nm);
-    Scatterer aerosol{options_.aerosol.phase_function(wavelength_nm),
-                      constituents.back().terms.front().depth};
-    for (double& depth : aerosol.scattering_depth) depth *= albedo;
-    column.scatterers.push_back(std::move(aerosol));
-  }
+  if (aod500 > 0.0) add_aerosol(wavelength_nm, aod500, column);
   return column;
+}
+
+void Air::add_aerosol(double wavelength_nm, double aod500, OpticalColumn& column) const {
+  const AerosolOptics& aerosol = options_.aerosol;
+  const AerosolOptics& layer = aerosol.stratospheric_optics();
+  // One scatterer as long as both are made of the same particles.
+  const bool apart = aerosol.stratosphere && has_stratospheric_layer();
+  Scatterer in_haze{aerosol.phase_function(wavelength_nm), {}};
+  Scatterer in_layer{apart ? layer.phase_function(wavelength_nm) : in_haze.phase, {}};
+  const double haze_albedo = aerosol.single_scattering_albedo_at(wavelength_nm);
+  const double layer_albedo = layer.single_scattering_albedo_at(wavelength_nm);
+  for (std::size_t i = 0; i < air_per_m2_.size(); ++i) {
+    const AerosolDepth depth =
+        aerosol_between(shells_.levels_km[i], shells_.levels_km[i + 1], wavelength_nm, aod500);
+    in_haze.scattering_depth.push_back(haze_albedo * (apart ? depth.haze : depth.haze + depth.layer));
+    if (apart) in_layer.scattering_depth.push_back(layer_albedo * depth.layer);
+  }
+  column.scatterers.push_back(std::move(in_haze));
+  if (apart) column.scatterers.push_back(std::move(in_layer));
 }
 
 OpticalColumn Air::column(double wavelength_nm, double aod500) const {
@@ -241,6 +261,7 @@ std::vector<Constituent> Air::constituents(double wavelength_nm, double band_nm,
 std::vector<ColumnTerm> Air::band_columns(double wavelength_nm, double band_nm, double aod500) const {
   const std::vector<Constituent> constituents = all_constituents(wavelength_nm, band_nm, aod500, true);
   std::vector<ColumnTerm> columns{{1.0, scattering_column(wavelength_nm, constituents, aod500)}};
+  columns.front().column.ground_albedo = options_.ground_albedo.at(wavelength_nm, band_nm);
   for (const Constituent& constituent : constituents) {
     std::vector<ColumnTerm> product;
     for (const ColumnTerm& before : columns)
@@ -276,10 +297,8 @@ std::vector<ConstituentDepth> Air::optical_depths(double wavelength_nm, double a
         scaled_amount_per_m2(band, gas_nodes(absorber.gas_name, false, altitude_km, top_km));
     depths.push_back({absorber.name, std::max(0.0, -std::log(transmittance(band.sum, amount)))});
   }
-  const double aerosol = aod500 > 0.0 ? aod500 * options_.aerosol.relative_depth(wavelength_nm) *
-                                            aerosol_fraction(altitude_km, top_km, aod500)
-                                      : 0.0;
-  depths.push_back({"aerosol", aerosol});
+  const AerosolDepth aerosol = aerosol_between(altitude_km, top_km, wavelength_nm, aod500);
+  depths.push_back({"aerosol", aerosol.haze + aerosol.layer});
   return depths;
 }
 
@@ -298,12 +317,28 @@ double Air::rayleigh_extinction_at_ground_per_km(double wavelength_nm) const {
 double Air::aerosol_extinction_at_ground_per_km(double wavelength_nm, double aod500) const {
   check(wavelength_nm, aod500);
   if (aod500 <= 0.0) return 0.0;
+  const AerosolOptics& aerosol = options_.aerosol;
   const double top_km = shells_.levels_km.back();
-  const std::vector<double>& given = profile_.relative_aerosol_extinction;
-  const double per_km =
-      given.empty() ? options_.aerosol.shape.density_per_km(0.0, top_km, aod500)
-                    : 1000.0 * given.front() / gas_column_per_m2(profile_, {"aerosol", given}, 0.0, top_km);
-  return aod500 * options_.aerosol.relative_depth(wavelength_nm) * per_km;
+  if (!has_stratospheric_layer()) {
+    const std::vector<double>& given = profile_.relative_aerosol_extinction;
+    return aod500 * aerosol.relative_depth(wavelength_nm) * 1000.0 * given.front() /
+           gas_column_per_m2(profile_, {"aerosol", given}, 0.0, top_km);
+  }
+  const double layer500 = aod500 * aerosol.shape.stratospheric_share(aod500);
+  return (aod500 - layer500) * aerosol.relative_depth(wavelength_nm) *
+             aerosol.shape.haze_density_per_km(0.0, top_km) +
+         layer500 * aerosol.stratospheric_optics().relative_depth(wavelength_nm) *
+             aerosol.shape.layer_density_per_km(0.0, top_km);
+}
+
+double Air::aerosol_depth(double wavelength_nm, double aod500) const {
+  return has_stratospheric_layer() ? options_.aerosol.depth(wavelength_nm, aod500)
+                                   : aod500 * options_.aerosol.relative_depth(wavelength_nm);
+}
+
+double Air::aod500_of_aerosol_depth(double wavelength_nm, double depth) const {
+  return has_stratospheric_layer() ? options_.aerosol.aod500_of_depth(wavelength_nm, depth)
+                                   : depth / options_.aerosol.relative_depth(wavelength_nm);
 }
 
 }  // namespace skylut

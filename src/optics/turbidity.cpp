@@ -83,15 +83,14 @@ double to_aod500(const Turbidity& turbidity, const Air& air) {
   if (!(value >= least) || !std::isfinite(value))
     throw InputError("turbidity {} ({}): must be finite and at least {}", value,
                      turbidity_kind_name(turbidity.kind), least);
-  const AerosolOptics& aerosol = air.options().aerosol;
   switch (turbidity.kind) {
     case TurbidityKind::aod550:
-      return value / aerosol.relative_depth(550.0);
+      return air.aod500_of_aerosol_depth(550.0, value);
     case TurbidityKind::angstrom_beta:
-      return value / aerosol.relative_depth(kBetaWavelength_nm);
+      return air.aod500_of_aerosol_depth(kBetaWavelength_nm, value);
     case TurbidityKind::preetham_t:
-      return (value - 1.0) * air.rayleigh_depth(kPreethamWavelength_nm) /
-             aerosol.relative_depth(kPreethamWavelength_nm);
+      return air.aod500_of_aerosol_depth(kPreethamWavelength_nm,
+                                         (value - 1.0) * air.rayleigh_depth(kPreethamWavelength_nm));
     default:
       return value;
   }
@@ -100,15 +99,14 @@ double to_aod500(const Turbidity& turbidity, const Air& air) {
 double from_aod500(double aod500, TurbidityKind kind, const Air& air) {
   if (!(aod500 >= 0.0) || !std::isfinite(aod500))
     throw InputError("aerosol optical depth {}: must be finite and not negative", aod500);
-  const AerosolOptics& aerosol = air.options().aerosol;
   switch (kind) {
     case TurbidityKind::aod550:
-      return aod500 * aerosol.relative_depth(550.0);
+      return air.aerosol_depth(550.0, aod500);
     case TurbidityKind::angstrom_beta:
-      return aod500 * aerosol.relative_depth(kBetaWavelength_nm);
+      return air.aerosol_depth(kBetaWavelength_nm, aod500);
     case TurbidityKind::preetham_t:
-      return 1.0 + aod500 * aerosol.relative_depth(kPreethamWavelength_nm) /
-                       air.rayleigh_depth(kPreethamWavelength_nm);
+      return 1.0 +
+             air.aerosol_depth(kPreethamWavelength_nm, aod500) / air.rayleigh_depth(kPreethamWavelength_nm);
     case TurbidityKind::visibility_km:
       return kKoschmieder / (air.rayleigh_extinction_at_ground_per_km(kVisibilityWavelength_nm) +
                              air.aerosol_extinction_at_ground_per_km(kVisibilityWavelength_nm, aod500));

@@ -16,7 +16,7 @@ toml::table TomlReader::parse(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.is_open() || stream.bad())
-    throw InputError("{}: cannot be read; expected a profile in TOML", file);
+    throw InputError("{}: cannot be read; expected a file in TOML", file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
@@ -42,9 +42,18 @@ void TomlReader::refuse(std::string_view key, std::size_t index, double value,
 }
 
 void TomlReader::allow_only(std::initializer_list<std::string_view> allowed) const {
+  allow_only(std::vector<std::string_view>(allowed));
+}
+
+void TomlReader::allow_only(const std::vector<std::string_view>& allowed) const {
   for (const std::string& key : keys())
     if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
       refuse(key, fmt::format("unknown key; expected one of {}", fmt::join(allowed, ", ")));
+}
+
+bool TomlReader::is_number(std::string_view key) const {
+  const toml::node* found = table_.get(key);
+  return found != nullptr && found->is_number();
 }
 
 std::vector<std::string> TomlReader::keys() const {
@@ -90,6 +99,17 @@ TomlReader TomlReader::table(std::string_view key) const {
   const toml::table* found = node(key, fmt::format("a table [{}{}]", prefix_, key).c_str()).as_table();
   if (found == nullptr) refuse(key, fmt::format("must be a table [{}{}]", prefix_, key));
   return {*found, file_, fmt::format("{}{}.", prefix_, key)};
+}
+
+std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
+  const toml::array* list = node(key, fmt::format("a list [[{}{}]]", prefix_, key).c_str()).as_array();
+  if (list == nullptr || list->empty()) refuse(key, fmt::format("must be a list [[{}{}]]", prefix_, key));
+  std::vector<TomlReader> readers;
+  for (const toml::node& element : *list) {
+    if (!element.is_table()) refuse(key, fmt::format("must be a list [[{}{}]]", prefix_, key));
+    readers.push_back({*element.as_table(), file_, fmt::format("{}{}[{}].", prefix_, key, readers.size())});
+  }
+  return readers;
 }
 
 }  // namespace skylut

@@ -22,14 +22,19 @@ class TomlReader {
 
   /// @throws InputError  for the first key that is not one of these
   void allow_only(std::initializer_list<std::string_view> keys) const;
+  void allow_only(const std::vector<std::string_view>& keys) const;
 
   bool has(std::string_view key) const { return table_.contains(key); }
+  bool is_number(std::string_view key) const;
   std::string text(std::string_view key) const;
   double number(std::string_view key) const;
   /// A list of finite numbers, not empty.
   std::vector<double> numbers(std::string_view key) const;
   /// A table below this one. @throws InputError if it is missing or is no table
   TomlReader table(std::string_view key) const;
+  /// Tables of a list [[key]] below this one, at least one. @throws InputError if it is missing or holds
+  /// something else
+  std::vector<TomlReader> tables(std::string_view key) const;
   std::vector<std::string> keys() const;
 
   /// Complains about a key (with its line if it is there): "file:line: prefix.key: message".

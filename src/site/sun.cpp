@@ -146,6 +146,17 @@ UtcTime parse_time(const std::string& text) {
   return utc;
 }
 
+UtcTime parse_date(const std::string& text) {
+  constexpr std::size_t kLength = 10;  // YYYY-MM-DD
+  try {
+    if (text.size() == kLength) return parse_time(text + "T12:00Z");
+  } catch (const InputError&) {
+    // What parse_time refuses is no day either; it would name the time, too.
+  }
+  throw InputError("date '{}': must be a day of the years {}-{}, for example 2026-06-21", text, kFirstYear,
+                   kLastYear);
+}
+
 std::string format_time(const UtcTime& time) {
   const std::string date =
       fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:", time.year, time.month, time.day, time.hour, time.minute);

@@ -55,7 +55,7 @@ Lanes lanes_of(const Air& air, const SkyScene& scene) {
 
 // W m⁻² nm⁻¹ on a plane normal to the beam at the top of the atmosphere, per wavelength.
 std::vector<double> solar_irradiance(const SkyScene& scene) {
-  const SolarSpectrum sun = SolarSpectrum::load_default();
+  const SolarSpectrum sun = SolarSpectrum::load(scene.solar);
   std::vector<double> irradiance;
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
     irradiance.push_back(sun.irradiance_W_m2_nm(scene.wavelengths[i], scene.wavelengths.step_nm()) /
@@ -88,13 +88,14 @@ std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& o
   const Air air(scene.profile, scene.air);
   const Lanes lanes = lanes_of(air, scene);
 
+  const std::vector<double> irradiance = solar_irradiance(scene);  // refuses what it cannot do early
+
   // 2. Radiative transfer, once for everything: sr⁻¹ per unit solar irradiance.
   const ViewSet views(scene.directions, scene.suns);
   const SkyRequest request{scene.altitudes_km, views.unique_sun_zeniths_deg(), views.unique_views()};
   const SkyRadiance sky = solve_sky_radiance(air.shells(), lanes.columns, request, options);
 
   // 3. The sun's spectrum makes it radiance, the eye's makes it colour.
-  const std::vector<double> irradiance = solar_irradiance(scene);
   const std::vector<Xyz> weights = ColourMatching::load().weights(scene.wavelengths);
   const std::size_t loads = scene.turbidities.size();
   const std::size_t suns = scene.suns.size();

@@ -45,14 +45,25 @@ Json profile_json(const Profile& profile) {
 }
 
 Json aerosol_json(const AerosolOptics& aerosol) {
-  return {{"angstrom_exponent", aerosol.angstrom_exponent},
-          {"wavelength_nm", aerosol.wavelength_nm},
-          {"single_scattering_albedo", aerosol.single_scattering_albedo},
-          {"asymmetry", aerosol.asymmetry},
-          {"haze_scale_height_km", aerosol.shape.haze_scale_height_km},
-          {"stratospheric_aod500", aerosol.shape.stratospheric_aod500},
-          {"stratospheric_centre_km", aerosol.shape.stratospheric_centre_km},
-          {"stratospheric_width_km", aerosol.shape.stratospheric_width_km}};
+  std::vector<double> extinction;
+  for (const double nm : aerosol.wavelength_nm) extinction.push_back(aerosol.relative_depth(nm));
+  Json json{{"name", aerosol.name},
+            {"wavelength_nm", aerosol.wavelength_nm},
+            {"relative_extinction", extinction},
+            {"single_scattering_albedo", aerosol.single_scattering_albedo},
+            {"asymmetry", aerosol.asymmetry}};
+  if (aerosol.shape.altitude_km.empty()) {
+    json["mixed_layer_km"] = aerosol.shape.mixed_layer_km;
+    json["haze_scale_height_km"] = aerosol.shape.haze_scale_height_km;
+  } else {
+    json["haze_altitude_km"] = aerosol.shape.altitude_km;
+    json["haze_relative_extinction"] = aerosol.shape.relative_extinction;
+  }
+  json["stratospheric_aerosol"] = aerosol.stratospheric_optics().name;
+  json["stratospheric_aod500"] = aerosol.shape.stratospheric_aod500;
+  json["stratospheric_centre_km"] = aerosol.shape.stratospheric_centre_km;
+  json["stratospheric_width_km"] = aerosol.shape.stratospheric_width_km;
+  return json;
 }
 
 double ozone_column_du(const Profile& profile) {
@@ -61,8 +72,18 @@ double ozone_column_du(const Profile& profile) {
   return gas_column_per_m2(profile, *ozone, 0.0, profile.altitude_km.back()) / kDobsonUnit_per_m2;
 }
 
+// A number, or the name of a curve with the albedo of each band.
+Json ground_json(const SkyScene& scene) {
+  const GroundAlbedo& ground = scene.air.ground_albedo;
+  if (const std::optional<double> number = ground.constant()) return *number;
+  std::vector<double> albedo;
+  for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
+    albedo.push_back(ground.at(scene.wavelengths[i], scene.wavelengths.step_nm()));
+  return {{"name", ground.name()}, {"wavelength_nm", scene.wavelengths.values_nm()}, {"albedo", albedo}};
+}
+
 Json air_json(const SkyScene& scene, const TableOrigin& origin) {
-  Json air = {{"ground_albedo", scene.air.ground_albedo},
+  Json air = {{"ground_albedo", ground_json(scene)},
               {"ozone_du", scene.air.ozone_du.value_or(ozone_column_du(scene.profile))},
               {"gravity_m_s2", scene.air.gravity_m_s2},
               {"planet_radius_km", scene.air.planet_radius_km}};
@@ -99,6 +120,7 @@ Json inputs(const SkyScene& scene, const TableOrigin& origin) {
            {{"first", scene.wavelengths.first_nm()},
             {"last", scene.wavelengths.last_nm()},
             {"step", scene.wavelengths.step_nm()}}},
+          {"solar", scene.solar},
           {"sun_distance_au", scene.sun_distance_au},
           {"quality", origin.quality},
           {"weights", origin.weights},

@@ -7,6 +7,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/optics/absorbing_gas.hpp"
 #include "skylut/optics/aerosol.hpp"
+#include "skylut/optics/ground_albedo.hpp"
 #include "skylut/optics/line_absorption.hpp"
 #include "skylut/optics/optical_state.hpp"
 #include "skylut/profile/profile.hpp"
@@ -15,7 +16,7 @@ namespace skylut {
 
 /// What a profile leaves open.
 struct AirOptions {
-  double ground_albedo = 0.2;  ///< Lambertian, [0, 1]
+  GroundAlbedo ground_albedo = 0.2;  ///< Lambertian, [0, 1]
   std::optional<double>
       ozone_du;                  ///< column above the ground, Dobson units, [0, 1000]; default: the profile's
   std::optional<double> no2_du;  ///< nitrogen dioxide, [0, 100]; default: the profile's
@@ -107,6 +108,11 @@ class Air {
   double rayleigh_extinction_at_ground_per_km(double wavelength_nm) const;
   double aerosol_extinction_at_ground_per_km(double wavelength_nm, double aod500) const;
 
+  /// Aerosol optical depth of the whole column; and the load, at 500 nm, of which it is that.
+  /// @param aod500, depth  finite, >= 0
+  double aerosol_depth(double wavelength_nm, double aod500) const;
+  double aod500_of_aerosol_depth(double wavelength_nm, double depth) const;
+
   /// Carbon dioxide's mole fraction at the ground, for the Rayleigh cross-section.
   double carbon_dioxide_fraction() const { return carbon_dioxide_fraction_; }
 
@@ -146,8 +152,15 @@ class Air {
   std::vector<Constituent> all_constituents(double wavelength_nm, double band_nm, double aod500,
                                             bool few_terms) const;
   double air_between_per_m2(double lower_km, double upper_km) const;
-  // Part of the aerosol's optical depth that lies between two altitudes.
-  double aerosol_fraction(double lower_km, double upper_km, double aod500) const;
+  // Aerosol's optical depth between two altitudes.
+  struct AerosolDepth {
+    double haze;
+    double layer;  // in the stratosphere
+  };
+  void add_aerosol(double wavelength_nm, double aod500, OpticalColumn& column) const;
+  AerosolDepth aerosol_between(double lower_km, double upper_km, double wavelength_nm, double aod500) const;
+  // A profile that says where the aerosol is knows no stratospheric layer.
+  bool has_stratospheric_layer() const { return profile_.relative_aerosol_extinction.empty(); }
 
   Profile profile_;
   AirOptions options_;

@@ -1,23 +1,35 @@
 #pragma once
 
+#include <string>
 #include <vector>
+
+#include "skylut/optics/spectral_curve.hpp"
 
 namespace skylut {
 
-/// Extraterrestrial solar irradiance at the mean Earth-Sun distance, held as means over adjacent bands.
+/// Extraterrestrial solar irradiance at the mean Earth-Sun distance. Its mean over any band is exact.
+/// [docs/air.md §9]
 class SolarSpectrum {
  public:
-  /// The spectrum that comes with skylut: ASTM G-173-03 extraterrestrial, 5 nm band means centred on
-  /// 300, 305, … 1000 nm (profiles/spectra/solar_astm_g173.csv).
-  static SolarSpectrum load_default();
+  /// A spectrum that comes with skylut (profiles/spectra/solar_*.csv, 1 nm band means), or a file of one's
+  /// own.
+  ///   astm-g173     ASTM G-173-03 extraterrestrial (Gueymard 2004), 280.5-1030.5 nm; the default
+  ///   gueymard2003  Gueymard 2003/2004, 359.5-830.5 nm
+  ///   kurucz1992    Kurucz 1992, 359.5-830.5 nm
+  ///   a file        ends in .csv or has a slash: columns wavelength_nm, irradiance_W_m2_nm; straight lines
+  ///                 between its points
+  /// @throws InputError  for an unknown name (naming those there are) or a file that is none
+  static SolarSpectrum load(const std::string& name_or_file = "astm-g173");
+
+  /// The names that load() knows, the default first.
+  static std::vector<std::string> names();
 
   /// @param centre_nm  ascending, equally spaced; the bands touch
   /// @param mean_W_m2_nm  one per centre, > 0
   /// @throws InputError  for fewer than two bands, unequal steps or a value that is not positive
-  SolarSpectrum(std::vector<double> centre_nm, std::vector<double> mean_W_m2_nm);
+  SolarSpectrum(const std::vector<double>& centre_nm, const std::vector<double>& mean_W_m2_nm);
 
-  /// Mean irradiance over [wavelength - band/2, wavelength + band/2], W m⁻² nm⁻¹: exact on the table's
-  /// own bands, otherwise weighted by overlap.
+  /// Mean irradiance over [wavelength - band/2, wavelength + band/2], W m⁻² nm⁻¹.
   /// @throws InputError  for a band that is not positive or leaves the spectrum
   double irradiance_W_m2_nm(double wavelength_nm, double band_nm) const;
 
@@ -25,10 +37,8 @@ class SolarSpectrum {
   double integral_W_m2(double lower_nm, double upper_nm) const;
 
  private:
-  std::vector<double> mean_W_m2_nm_;
-  std::vector<double> cumulative_W_m2_;  // at the band edges
-  double first_edge_nm_;
-  double step_nm_;
+  explicit SolarSpectrum(SpectralCurve curve) : curve_(std::move(curve)) {}
+  SpectralCurve curve_;
 };
 
 }  // namespace skylut

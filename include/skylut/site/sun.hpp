@@ -25,6 +25,10 @@ struct UtcTime {
 ///                     would be a guess), no such day
 UtcTime parse_time(const std::string& text);
 
+/// Reads a day of the calendar, "2026-06-21": its noon in UTC. Years 1960-2100.
+/// @throws InputError  naming the text and what would be right
+UtcTime parse_date(const std::string& text);
+
 /// Writes a time as parse_time reads it, in UTC, with whole seconds unless there is a fraction.
 std::string format_time(const UtcTime& time);
 

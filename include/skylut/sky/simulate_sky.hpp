@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "skylut/optics/air.hpp"
@@ -19,7 +20,8 @@ struct SkyScene {
   std::vector<Direction> suns;        ///< zenith angle [0, 96]
   std::vector<Direction> directions;  ///< where the observers look, zenith angle [0, 180]
   WavelengthGrid wavelengths = WavelengthGrid::visible();
-  double sun_distance_au = 1.0;  ///< the mean distance unless a date is given
+  std::string solar = "astm-g173";  ///< extraterrestrial spectrum: a name or file of SolarSpectrum::load
+  double sun_distance_au = 1.0;     ///< the mean distance unless a date is given
 };
 
 /// Simulates the scene: one map per altitude, turbidity and sun, in that order, the sun varying fastest.

@@ -12,20 +12,6 @@ constexpr double kLargestSunZenith_deg = 96.0;
 constexpr std::size_t kMostLevels = 250;  // of depth_to_sun in line_of_sight.hpp
 constexpr double kSmallestPlanet_km = 100.0;
 
-void check_shells(const Shells& shells) {
-  const std::vector<double>& levels = shells.levels_km;
-  if (levels.size() < 2 || levels.front() != 0.0)
-    throw InputError("levels_km: needs at least two levels, the first at 0");
-  for (std::size_t i = 1; i < levels.size(); ++i)
-    if (!(levels[i] > levels[i - 1]) || !std::isfinite(levels[i]))
-      throw InputError("levels_km: {} after {}, must ascend", levels[i], levels[i - 1]);
-  if (levels.size() > kMostLevels)
-    throw InputError("levels_km: {} levels, at most {}", levels.size(), kMostLevels);
-  if (!(shells.planet_radius_km >= kSmallestPlanet_km && std::isfinite(shells.planet_radius_km)))
-    throw InputError("planet_radius_km {}: must be finite and at least {}", shells.planet_radius_km,
-                     kSmallestPlanet_km);
-}
-
 void check_column(const OpticalColumn& column, std::size_t layers) {
   if (column.extinction_depth.size() != layers)
     throw InputError("optical column with {} layers: the levels give {}", column.extinction_depth.size(),
@@ -51,6 +37,20 @@ void check_column(const OpticalColumn& column, std::size_t layers) {
 }
 
 }  // namespace
+
+void check_shells(const Shells& shells) {
+  const std::vector<double>& levels = shells.levels_km;
+  if (levels.size() < 2 || levels.front() != 0.0)
+    throw InputError("levels_km: needs at least two levels, the first at 0");
+  for (std::size_t i = 1; i < levels.size(); ++i)
+    if (!(levels[i] > levels[i - 1]) || !std::isfinite(levels[i]))
+      throw InputError("levels_km: {} after {}, must ascend", levels[i], levels[i - 1]);
+  if (levels.size() > kMostLevels)
+    throw InputError("levels_km: {} levels, at most {}", levels.size(), kMostLevels);
+  if (!(shells.planet_radius_km >= kSmallestPlanet_km && std::isfinite(shells.planet_radius_km)))
+    throw InputError("planet_radius_km {}: must be finite and at least {}", shells.planet_radius_km,
+                     kSmallestPlanet_km);
+}
 
 void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request) {
   check_shells(shells);

@@ -101,5 +101,13 @@ TEST(Time, SaysWhatIsWrong) {
   EXPECT_THROW(sun_direction({}, {2026, 2, 30, 0, 0, 0.0}), InputError);
 }
 
+// A day stands for its noon.
+TEST(Sun, ADateAlone) {
+  EXPECT_EQ(parse_date("2024-02-29"), parse_time("2024-02-29T12:00Z"));
+  for (const char* text :
+       {"2024-02-30", "2023-02-29", "1959-12-31", "2024-6-21", "2024-06-21T12:00Z", "today", ""})
+    EXPECT_THROW(parse_date(text), InputError) << text;
+}
+
 }  // namespace
 }  // namespace skylut

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skylut/sky/simulate_sky.hpp"
+
+namespace skylut {
+
+/// What is asked beside the direct beam.
+struct SunIrradianceOptions {
+  bool diffuse = true;  ///< also the diffuse irradiance: needs the sun within 96° of the zenith
+  double circumsolar_half_angle_deg =
+      0.0;  ///< also the diffuse light within this angle of the sun, [0, 10]; 0: not
+};
+
+/// Transmittance of one constituent along the sun's beam.
+struct ConstituentTransmittance {
+  std::string name;               ///< as in Constituent
+  std::vector<double> band_mean;  ///< per wavelength, [0, 1]; 0 where the ground hides the sun
+};
+
+/// Spectral irradiance at an observer, means over bands around the wavelengths, W m⁻² nm⁻¹. Lists have one
+/// value per wavelength, or none for what was not asked.
+struct SunIrradiance {
+  WavelengthGrid wavelengths = WavelengthGrid::visible();
+  Direction sun;
+  bool beam_arrives = false;               ///< false where the ground hides the sun
+  std::vector<double> extraterrestrial;    ///< normal to the beam, above the air
+  std::vector<double> direct_normal;       ///< normal to the beam, without scattered light
+  std::vector<double> diffuse_horizontal;  ///< from above on a horizontal plane, without the beam
+  std::vector<double> circumsolar_normal;  ///< diffuse light around the sun, normal to the beam
+  std::vector<ConstituentTransmittance> transmittance;
+
+  /// Direct and diffuse light on a horizontal plane; empty without diffuse light.
+  std::vector<double> global_horizontal() const;
+};
+
+/// Irradiance of the sun and the sky at one observer. The direct beam crosses the spherical layers on a
+/// straight path; each constituent transmits Σ weight exp(-Σ depth · path), and their transmittances
+/// multiply. Diffuse light is the solver's radiance, integrated over the sky. [docs/air.md, "Direct beam"]
+/// @param scene  with one altitude, one turbidity and one sun (zenith angle 0-180; 0-96 with diffuse light);
+/// its
+///               directions are not used
+/// @throws InputError  for values outside the ranges (never clamped)
+/// @throws WorkError   if the transfer does not converge
+SunIrradiance simulate_sun(const SkyScene& scene, const SunIrradianceOptions& options,
+                           const TransferOptions& transfer);
+
+/// Σ irradiance · step, W/m².
+double broadband_W_m2(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths);
+
+/// Illuminance K_m Σ irradiance V(λ) step, lux; the wavelengths should span the visible range.
+double illuminance_lux(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths);
+
+}  // namespace skylut

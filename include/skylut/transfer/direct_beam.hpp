@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "skylut/optics/optical_state.hpp"
+
+namespace skylut {
+
+/// Slant path of the sun's beam through each layer, in units of the layer's thickness, on its way to an
+/// observer: straight rays through spherical shells. 1/cos z in flat layers that lie above the observer, 0 in
+/// those that the beam does not cross. From a height the sun can be seen below the horizontal: the beam then
+/// crosses the layers beneath it twice. [theory.md §4.1, G4]
+/// @param altitude_km     of the observer above the ground, [0, top level]
+/// @param sun_zenith_deg  at the observer's vertical, [0, 180]
+/// @return  one factor per layer, bottom to top; nothing where the ground hides the sun
+/// @throws InputError  for values out of range
+std::optional<std::vector<double>> beam_path_factors(const Shells& shells, double altitude_km,
+                                                     double sun_zenith_deg);
+
+/// T = exp(-Σ depth · factor) (Beer, Lambert). @param depth  vertical optical depth per layer, >= 0
+/// @throws InputError  for lists of unequal length
+double beam_transmittance(const std::vector<double>& path_factors, const std::vector<double>& depth);
+
+}  // namespace skylut

@@ -1,0 +1,80 @@
+#include "skylut/export/sun_file.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "skylut/core/version.hpp"
+
+namespace skylut {
+
+namespace {
+
+using Column = std::pair<std::string, std::vector<double>>;
+
+std::vector<Column> irradiance_columns(const SunIrradiance& sun) {
+  std::vector<Column> columns{{"direct_normal_w_m2_nm", sun.direct_normal},
+                              {"diffuse_horizontal_w_m2_nm", sun.diffuse_horizontal},
+                              {"global_horizontal_w_m2_nm", sun.global_horizontal()},
+                              {"extraterrestrial_w_m2_nm", sun.extraterrestrial},
+                              {"circumsolar_normal_w_m2_nm", sun.circumsolar_normal}};
+  std::erase_if(columns, [](const Column& column) { return column.second.empty(); });
+  return columns;
+}
+
+std::vector<Column> columns_of(const SunIrradiance& sun) {
+  std::vector<Column> columns = irradiance_columns(sun);
+  for (const ConstituentTransmittance& constituent : sun.transmittance)
+    columns.emplace_back("transmittance_" + constituent.name, constituent.band_mean);
+  return columns;
+}
+
+}  // namespace
+
+std::string sun_csv(const SunIrradiance& sun) {
+  const std::vector<Column> columns = columns_of(sun);
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "wavelength_nm");
+  for (const auto& [name, values] : columns) fmt::format_to(out, ",{}", name);
+  text.push_back('\n');
+  for (std::size_t i = 0; i < sun.wavelengths.size(); ++i) {
+    fmt::format_to(out, "{}", sun.wavelengths[i]);
+    for (const auto& [name, values] : columns) fmt::format_to(out, ",{}", values[i]);
+    text.push_back('\n');
+  }
+  return fmt::to_string(text);
+}
+
+std::string sun_json(const SunIrradiance& sun, const SunFileOrigin& origin) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"format", "skylut sun"},
+            {"format_version", 1},
+            {"skylut_version", kVersion},
+            {"command", origin.command},
+            {"method", origin.method},
+            {"units",
+             "irradiance in W m-2 nm-1, means over bands of step_nm around each wavelength; sums in "
+             "W m-2 and lux"},
+            {"altitude_km", origin.altitude_km},
+            {"turbidity",
+             {{"kind", turbidity_kind_name(origin.turbidity.kind)}, {"value", origin.turbidity.value}}},
+            {"sun", {{"zenith_deg", sun.sun.zenith_deg}, {"azimuth_deg", sun.sun.azimuth_deg}}},
+            {"beam_arrives", sun.beam_arrives},
+            {"sun_distance_au", origin.sun_distance_au},
+            {"solar", origin.solar},
+            {"step_nm", sun.wavelengths.step_nm()}};
+  Json& sums = json["sums"] = Json::object();
+  for (const auto& [name, values] : irradiance_columns(sun)) {
+    const std::string quantity = name.substr(0, name.find("_w_m2_nm"));
+    sums[quantity] = {{"w_m2", broadband_W_m2(values, sun.wavelengths)},
+                      {"lux", illuminance_lux(values, sun.wavelengths)}};
+  }
+  json["wavelength_nm"] = sun.wavelengths.values_nm();
+  for (const auto& [name, values] : columns_of(sun)) json[name] = values;
+  return json.dump(1) + "\n";
+}
+
+}  // namespace skylut

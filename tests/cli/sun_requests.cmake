@@ -1,0 +1,54 @@
+# Wrong requests to `skylut sun`, `skylut profile case`, and about the sun and the ground in general.
+skylut_refuses(sun_no_sun 2 "no sun: give --sun-zenith-deg" sun -o sun.csv)
+skylut_refuses(sun_output_txt 2 "sun.txt.*csv or .json" sun -o sun.txt --sun-zenith-deg 45)
+skylut_refuses(sun_output_folder_missing 2 "no such folder: missing" sun -o missing/sun.csv --sun-zenith-deg 45)
+skylut_refuses(sun_output_full 1 "sun.csv: cannot write: No space left" sun -o sun.csv --sun-zenith-deg 45
+  --wavelengths-nm 400:700:100 --no-diffuse LINK sun.csv=/dev/full)
+skylut_refuses(sun_zenith_181 2 "--sun-zenith-deg '181'.*0 to 180" sun --sun-zenith-deg 181)
+skylut_refuses(sun_at_night 2 "sun zenith angle 97 deg.*0 to 96 deg with diffuse light" sun -o sun.csv
+  --sun-zenith-deg 97)
+skylut_refuses(sun_altitude_31 2 "--altitude-km '31'.*0 to 30" sun --sun-zenith-deg 45 --altitude-km 31)
+skylut_refuses(sun_twice 2 "--time.*must not be given with --sun-zenith-deg" sun --sun-zenith-deg 45 --latitude 48
+  --longitude 2 --time 2024-06-21T09:00Z)
+skylut_refuses(sun_date_twice 2 "--time.*must not be given with --date" sun --latitude 48 --longitude 2
+  --time 2024-06-21T09:00Z --date 2024-06-21)
+skylut_refuses(sun_turbidity_kind_alone 2 "--turbidity-kind: needs --turbidity" sun --sun-zenith-deg 45
+  --turbidity-kind aod550)
+skylut_refuses(sun_circumsolar_20 2 "--circumsolar-deg '20'.*0 to 10" sun --sun-zenith-deg 45 --circumsolar-deg 20)
+skylut_refuses(sun_model_unknown 2 "--model 'bird'.*shells, iqbal or smarts-like" sun --sun-zenith-deg 45 --model bird)
+skylut_refuses(sun_model_set 2 "sun zenith angle 91 deg.*0 to 90 deg in a closed form" sun --sun-zenith-deg 91
+  --model iqbal)
+skylut_refuses(sun_model_circumsolar 2 "--circumsolar-deg 3.*must not be given" sun --sun-zenith-deg 45 --model iqbal
+  --circumsolar-deg 3)
+
+skylut_refuses(solar_unknown 2 "solar spectrum 'sun'.*astm-g173, gueymard2003, kurucz1992" map -o sky.csv
+  --sun-zenith-deg 45 --solar sun)
+skylut_refuses(solar_too_short 2 "must lie within 359.5-830.5 nm of the solar spectrum" map -o sky.csv
+  --sun-zenith-deg 45 --solar kurucz1992 --wavelengths-nm 350:700:50 --quality draft)
+skylut_refuses(solar_file_missing 2 "mine.csv: cannot read" sun --sun-zenith-deg 45 --solar mine.csv)
+skylut_refuses(solar_file_column 2 "mine.csv.*irradiance_W_m2_nm" sun --sun-zenith-deg 45 --solar mine.csv
+  INPUT "mine.csv=wavelength_nm,irradiance\\n300,1\\n1000,1\\n")
+skylut_refuses(solar_file_unit 2 "mine.csv:3: irradiance_W_m2_nm 1850" sun --sun-zenith-deg 45 --solar mine.csv
+  INPUT "mine.csv=wavelength_nm,irradiance_W_m2_nm\\n300,1\\n550,1850\\n")
+skylut_refuses(date_word 2 "date 'today': must be a day" map -o sky.csv --sun-zenith-deg 45 --date today)
+skylut_refuses(date_no_such_day 2 "date '2024-02-30'" table --out out --date 2024-02-30)
+
+skylut_refuses(albedo_unknown 2 "--albedo.*'gras'.*asphalt, grass, sand, snow, water" map -o sky.csv
+  --sun-zenith-deg 45 --albedo gras)
+skylut_refuses(albedo_file_line 2 "mine.csv:3: albedo 1.5" map -o sky.csv --sun-zenith-deg 45 --albedo mine.csv
+  INPUT "mine.csv=wavelength_nm,albedo\\n300,0.1\\n1000,1.5\\n")
+skylut_refuses(albedo_file_short 2 "ground albedo mine.csv: has no value at 380 nm" map -o sky.csv --sun-zenith-deg 45
+  --albedo mine.csv INPUT "mine.csv=wavelength_nm,albedo\\n400,0.1\\n700,0.5\\n")
+
+skylut_refuses(case_no_wavelength 2 "--wavelength-nm is required" profile case ussa1976 -o case.json)
+skylut_refuses(case_wavelength_1100 2 "--wavelength-nm '1100'.*300 to 1000" profile case ussa1976 -o case.json
+  --wavelength-nm 1100)
+skylut_refuses(case_profile_unknown 2 "profile 'mars'" profile case mars -o case.json --wavelength-nm 550)
+skylut_refuses(case_view_broken 2 "view '60'.*ZENITH:AZIMUTH" profile case ussa1976 -o case.json --wavelength-nm 550
+  --view 60)
+skylut_refuses(case_term_99999 2 "--absorption-term 99999" profile case ussa1976 -o case.json --wavelength-nm 550
+  --absorption-term 99999)
+skylut_refuses(case_output_folder_missing 2 "no such folder: missing" profile case ussa1976 -o missing/case.json
+  --wavelength-nm 550)
+skylut_prints(sun_to_the_screen "direct normal.*W/m2.*lux" sun --sun-zenith-deg 30 --no-diffuse)
+skylut_prints(sun_hidden "the ground hides the sun" sun --sun-zenith-deg 120 --no-diffuse)

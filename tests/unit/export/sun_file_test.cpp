@@ -1,0 +1,52 @@
+#include "skylut/export/sun_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace skylut {
+namespace {
+
+SunIrradiance two_wavelengths() {
+  SunIrradiance sun;
+  sun.wavelengths = WavelengthGrid(500.0, 505.0, 5.0);
+  sun.sun = {60.0, 180.0};
+  sun.beam_arrives = true;
+  sun.extraterrestrial = {2.0, 1.9};
+  sun.direct_normal = {1.0, 0.5};
+  sun.diffuse_horizontal = {0.25, 0.125};
+  sun.transmittance = {{"rayleigh", {0.5, 0.25}}, {"aerosol", {1.0, 1.0}}};
+  return sun;
+}
+
+TEST(SunFile, CsvColumns) {
+  const std::string text = sun_csv(two_wavelengths());
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "wavelength_nm,direct_normal_w_m2_nm,diffuse_horizontal_w_m2_nm,global_horizontal_w_m2_nm,"
+            "extraterrestrial_w_m2_nm,transmittance_rayleigh,transmittance_aerosol");
+  EXPECT_EQ(text.substr(text.rfind("505,")).substr(0, 14), "505,0.5,0.125,");
+}
+
+TEST(SunFile, WhatWasNotComputedIsLeftOut) {
+  SunIrradiance sun = two_wavelengths();
+  sun.diffuse_horizontal.clear();
+  sun.circumsolar_normal = {0.01, 0.01};
+  EXPECT_EQ(sun_csv(sun),
+            "wavelength_nm,direct_normal_w_m2_nm,extraterrestrial_w_m2_nm,circumsolar_normal_w_m2_nm,"
+            "transmittance_rayleigh,transmittance_aerosol\n"
+            "500,1,2,0.01,0.5,1\n505,0.5,1.9,0.01,0.25,1\n");
+}
+
+TEST(SunFile, JsonSaysHowItWasMade) {
+  const auto json = nlohmann::json::parse(sun_json(
+      two_wavelengths(), {"skylut sun …", "shells", 1.5, {TurbidityKind::aod500, 0.1}, 0.99, "astm-g173"}));
+  EXPECT_EQ(json["command"], "skylut sun …");
+  EXPECT_EQ(json["sun_distance_au"], 0.99);
+  EXPECT_EQ(json["direct_normal_w_m2_nm"], (std::vector<double>{1.0, 0.5}));
+  EXPECT_EQ(json["sums"]["direct_normal"]["w_m2"], 7.5);
+  EXPECT_GT(json["sums"]["global_horizontal"]["lux"], 0.0);
+  EXPECT_EQ(json["transmittance_rayleigh"][1], 0.25);
+}
+
+}  // namespace
+}  // namespace skylut
