@@ -14,7 +14,7 @@ struct ParticleOptics {
 };
 
 /// Integrates Mie's theory over the sizes of every component, one result per wavelength. [docs/air.md §10,
-/// A23-A24] Extinction, albedo and asymmetry are converged to 1e-4
+/// A23-A24] Extinction, albedo and asymmetry are converged to 1e-4, 5e-4 without absorption
 /// (tests/unit/optics/particle_optics_test.cpp).
 /// @param components     at least one; externally mixed
 /// @param wavelength_nm  each > 0

@@ -93,8 +93,10 @@ std::vector<double> sun_nodes(bool dense) {
   return nodes;
 }
 
-/// Share χ_l of a layer's scattering that degree l still carries, at most over the layers that matter.
-double largest_moment(const OpticalColumn& column, int l) {
+/// What delta-M gets wrong with degrees below l: it takes all moments from χ_l upwards to be alike, a peak in
+/// one direction. How far χ_l falls to degree 5l/3, as a share of a layer's scattering, at most over the
+/// layers that matter. (Henyey-Greenstein: nearly χ_l. The narrow peak of large particles falls slowly.)
+double error_of_truncation(const OpticalColumn& column, int l) {
   double total = 0.0;
   for (const Scatterer& scatterer : column.scatterers)
     for (const double depth : scatterer.scattering_depth) total += depth;
@@ -104,7 +106,8 @@ double largest_moment(const OpticalColumn& column, int l) {
     double moment = 0.0;
     for (const Scatterer& scatterer : column.scatterers) {
       scattering += scatterer.scattering_depth[layer];
-      moment += scatterer.scattering_depth[layer] * scatterer.phase->moment(l);
+      moment += scatterer.scattering_depth[layer] *
+                (scatterer.phase->moment(l) - scatterer.phase->moment(5 * l / 3));
     }
     if (scattering > 1e-3 * total) largest = std::max(largest, std::abs(moment) / scattering);
   }
@@ -117,7 +120,7 @@ AngularResolution angles_for(const OpticalColumn& column, const QualityLimits& l
   constexpr int kMostDegrees = 30;
   AngularResolution angles;
   angles.max_l = 2;
-  while (angles.max_l < kMostDegrees && largest_moment(column, angles.max_l + 1) > limits.truncated_peak)
+  while (angles.max_l < kMostDegrees && error_of_truncation(column, angles.max_l + 1) > limits.truncated_peak)
     angles.max_l += 2;
   angles.max_m = (3 * angles.max_l + 3) / 4;
   angles.azimuth_nodes = (angles.max_m + 2) / 2 * 2;
