@@ -8,6 +8,7 @@
 #include "angular_sum.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/quadrature.hpp"
+#include "skylut/optics/aerosol.hpp"
 #include "skylut/optics/mie_sphere.hpp"
 #include "skylut/optics/tabulated_phase_function.hpp"
 
@@ -111,6 +112,26 @@ TEST(ParticleOptics, NarrowDistributionIsOneSphere) {
   // A spread of 1 % in radius: second order, some 1e-3.
   EXPECT_NEAR(optics.extinction_um2 / (kPi * 0.09 * sphere.q_ext()), 1.0, 2e-3);
   EXPECT_NEAR(optics.moments[1], sphere.asymmetry(), 2e-3);
+}
+
+// Halfway between the wavelengths at which an aerosol is computed, the mixture of the neighbours is within 1
+// % of Mie's theory there.
+TEST(ParticleOptics, BetweenWavelengths) {
+  for (const char* name : {"rural", "continental-average"}) {
+    const AerosolOptics aerosol = load_aerosol(name);
+    for (const double nm : {425.0, 575.0, 850.0}) {
+      const ParticleOptics there =
+          particle_optics(load_aerosol_description(name).components, {500.0, nm}).back();
+      const TabulatedPhaseFunction exact(there.moments);
+      const auto mixed = aerosol.phase_function(nm);
+      for (double angle_deg = 0.0; angle_deg <= 180.0; angle_deg += 0.5) {
+        const double mu = std::cos(angle_deg * kRadiansPerDegree);
+        EXPECT_NEAR(mixed->value(mu) / exact.value(mu), 1.0, 0.01) << name << " " << nm << " " << angle_deg;
+      }
+      EXPECT_NEAR(aerosol.single_scattering_albedo_at(nm), there.scattering_um2 / there.extinction_um2,
+                  0.001);
+    }
+  }
 }
 
 // The table against the series it is made of, everywhere and in the aureole.
