@@ -24,7 +24,7 @@ struct ShowOptions {
   bool json = false;
   double turbidity = 0.0;
   std::string turbidity_kind = "aod500";
-  std::string aerosol = "henyey-greenstein";
+  std::string aerosol = "rural";
   std::optional<double> humidity_percent;
   std::string latitude;
   std::string longitude = "0";

@@ -48,7 +48,7 @@ class SceneOptions {
   std::string turbidity_kind_ = "aod500";
   bool turbidity_kind_given_ = false;
   std::string wavelengths_ = "380:780:5";
-  std::string aerosol_ = "henyey-greenstein";
+  std::string aerosol_ = "rural";
   std::optional<double> humidity_percent_;
   std::string albedo_ = "0.2";
   std::optional<double> ozone_du_;

@@ -17,7 +17,7 @@ constexpr double kClassRatio = 1.4;
 using Complex = std::complex<double>;
 using Tile = std::array<double, kTile>;
 
-// Angular functions of a tile times (2n+1)/(n(n+1)) for n = 1 … terms. [A22]
+// Angular functions of a tile times (2n+1)/(n(n+1)) for n = 1 … terms. [P4]
 struct AngularFunctions {
   std::vector<Tile> pi;
   std::vector<Tile> tau;

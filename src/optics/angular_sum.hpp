@@ -18,7 +18,7 @@ struct HalfRule {
 HalfRule half_gauss_legendre(int count);
 
 /// Legendre moments of the light that many spheres scatter. Spheres are sorted into classes of like size; a
-/// class sums |S1|² + |S2|² at the nodes of a Gauss-Legendre rule that is exact for every moment. [A24]
+/// class sums |S1|² + |S2|² at the nodes of a Gauss-Legendre rule that is exact for every moment. [P6]
 class AngularSum {
  public:
   /// Rules by the number of terms of a class; they serve all wavelengths.

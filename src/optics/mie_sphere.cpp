@@ -11,7 +11,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// D_n(z) = d ln ψ_n(z) / dz for n = 0 … count [A20]. Downward, D_{n-1} = n/z - 1/(D_n + n/z), forgets its
+// D_n(z) = d ln ψ_n(z) / dz for n = 0 … count [P2]. Downward, D_{n-1} = n/z - 1/(D_n + n/z), forgets its
 // start once n has passed |z| from above; the turning region is some |z|^(1/3) wide.
 std::vector<Complex> logarithmic_derivatives(Complex z, int count) {
   const double size = std::abs(z);
@@ -27,7 +27,7 @@ std::vector<Complex> logarithmic_derivatives(Complex z, int count) {
   return derivative;
 }
 
-// Riccati-Bessel ψ_n(x) = x j_n(x), n = 0 … count [A21]. Upward recurrence as long as n < x, where it is
+// Riccati-Bessel ψ_n(x) = x j_n(x), n = 0 … count [P3]. Upward recurrence as long as n < x, where it is
 // stable; above, ratios ψ_n/ψ_{n-1} by downward recurrence, positive there.
 std::vector<double> riccati_bessel(double x, int count) {
   const int turn = std::min(count, static_cast<int>(x));
@@ -109,7 +109,7 @@ MieSphere::MieSphere(double size_parameter, Complex m) : size_parameter_(size_pa
 }
 
 MieSphere::Amplitudes MieSphere::amplitudes(double mu) const {
-  // π_n and τ_n, upward [A22].
+  // π_n and τ_n, upward [P4].
   Amplitudes sum;
   double pi_before = 0.0;
   double pi = 1.0;

@@ -13,8 +13,8 @@ struct ParticleOptics {
   std::vector<double> moments;  ///< χ_0 = 1 … of their phase function, Σ (2l+1)|χ_l| beyond the last < 1e-7
 };
 
-/// Integrates Mie's theory over the sizes of every component, one result per wavelength. [docs/air.md §10,
-/// A23-A24] Extinction, albedo and asymmetry are converged to 1e-4
+/// Integrates Mie's theory over the sizes of every component, one result per wavelength. [docs/aerosols.md
+/// P5-P6] Extinction, albedo and asymmetry are converged to 1e-4, 5e-4 without absorption
 /// (tests/unit/optics/particle_optics_test.cpp).
 /// @param components     at least one; externally mixed
 /// @param wavelength_nm  each > 0

@@ -34,8 +34,10 @@ double table_below(const AerosolShape& shape, double z) {
     const double lower = shape.relative_extinction[i];
     const double upper = table_value(shape, i, end);
     const double thickness = end - shape.altitude_km[i];
-    // The mean of an exponential by its ends; their plain mean where they are as good as equal.
-    const double ratio = lower > 0.0 && upper > 0.0 ? std::log(upper / lower) : 0.0;
+    // The mean of an exponential by its ends; their plain mean where the piece is linear or as good as
+    // constant.
+    const bool exponential = lower > 0.0 && shape.relative_extinction[i + 1] > 0.0;
+    const double ratio = exponential ? std::log(upper / lower) : 0.0;
     sum += thickness * (std::abs(ratio) > 1e-6 ? (upper - lower) / ratio : 0.5 * (lower + upper));
   }
   return sum;

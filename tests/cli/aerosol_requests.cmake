@@ -13,3 +13,13 @@ skylut_refuses(mie_gain 2 "imaginary part '-0.1'.*0 to 20" aerosol mie --size-pa
 skylut_refuses(mie_invisible 2 "refractive index 1: must differ" aerosol mie --size-parameter 1 --index 1,0)
 skylut_refuses(mie_angle 2 "--angles '190': must be a number within 0 to 180" aerosol mie --size-parameter 1 --index 1.5,0 --angles 190)
 skylut_refuses(mie_angle_steps 2 "--angles '0:10:3'" aerosol mie --size-parameter 1 --index 1.5,0 --angles 0:10:3)
+
+skylut_prints(aerosols "maritime-clean +Sea.*\n(.*\n)*rural +Rural" aerosol list)
+skylut_prints(aerosol_show "rural: .*\n(.*\n)*Angstrom exponents\n +350-500 nm +0\\.9" aerosol show rural)
+skylut_prints(aerosol_show_json "\"humidity_percent\": 90" aerosol show urban --humidity 90 --json)
+skylut_refuses(aerosol_unknown 2 "aerosol 'mars': unknown name; expected .*rural" aerosol show mars)
+skylut_refuses(aerosol_missing_file 2 "aerosol 'mine.toml': no such file" map -o sky.csv --sun-zenith-deg 45 --aerosol mine.toml)
+skylut_refuses(aerosol_dry 2 "humidity 80 %.*rural" table --out out --aerosol rural --humidity 80)
+skylut_refuses(aerosol_humidity 2 "--humidity '120': must be a number within 0 to 99 %" aerosol show urban --humidity 120)
+skylut_refuses(aerosol_file_key 2 "mine.toml:6: component\\[0\\].sigma_g: is 0.5; must lie within 1.01 to 10" aerosol show mine.toml
+  INPUT "mine.toml=name = 'm'\\ndescription = 'd'\\nsource = 's'\\n[[component]]\\nname = 'c'\\nsigma_g = 0.5\\n")

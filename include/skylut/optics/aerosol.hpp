@@ -13,7 +13,7 @@
 namespace skylut {
 
 /// What aerosol does to light, per unit of optical depth, and where it is. The default is rural aerosol with
-/// a Henyey-Greenstein phase function; load_aerosol() gives better ones. [docs/air.md §7, §10-11]
+/// a Henyey-Greenstein phase function; load_aerosol() gives better ones. [docs/aerosols.md]
 struct AerosolOptics {
   std::string name = "henyey-greenstein";
 

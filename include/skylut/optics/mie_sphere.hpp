@@ -6,9 +6,9 @@
 namespace skylut {
 
 /// Scattering of a plane wave by a homogeneous sphere: Mie's series after Bohren and Huffman 1983
-/// (chapter 4), with logarithmic derivatives by downward recurrence. [docs/air.md §10, A19-A22]
+/// (chapter 4), with logarithmic derivatives by downward recurrence. [docs/aerosols.md P1-P4]
 ///
-/// Accuracy: efficiencies and asymmetry within 1e-9 of a 50-digit calculation for size parameters
+/// Accuracy: efficiencies and asymmetry within 1e-8 of a 60-digit calculation for size parameters
 /// 1e-3 to 3000, index 1.2-1.9, absorption 0-0.5 (tests/unit/optics/mie_sphere_test.cpp).
 class MieSphere {
  public:

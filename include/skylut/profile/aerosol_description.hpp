@@ -58,7 +58,7 @@ struct AerosolDescription {
 };
 
 /// Reads an aerosol that comes with skylut by name ("rural", …), or a TOML file if the text ends in
-/// .toml or holds a '/'. Format: docs/air.md §11.
+/// .toml or holds a '/'. Format: docs/aerosols.md.
 /// @param humidity_percent  0-99, instead of the file's own
 /// @throws InputError  one line naming file (and line), key, value and what would be right; or a
 ///                     humidity given for an aerosol that takes up no water

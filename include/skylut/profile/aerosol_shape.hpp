@@ -6,7 +6,7 @@ namespace skylut {
 
 /// Where an aerosol is: haze near the ground under a thin stratospheric layer whose optical depth does
 /// not follow the haze. The haze is constant up to the top of its mixed layer and thins exponentially
-/// above, or follows a table of relative extinction. [docs/air.md §7, A15]
+/// above, or follows a table of relative extinction. [docs/air.md §7 A15, docs/aerosols.md]
 struct AerosolShape {
   double mixed_layer_km = 0.0;  ///< extinction is constant up to here
   /// Scale height above that, km. Rural haze of Shettle and Fenn 1979 thins by e in 2.1 km.
