@@ -33,8 +33,11 @@ AngularGrid::AngularGrid(const AngularResolution& resolution) : resolution_(reso
   moment_offset_.push_back(0);
   for (int m = 0; m < orders; ++m) moment_offset_.push_back(moment_offset_.back() + degrees(m));
 
-  azimuth_synthesis_ = PanelMatrix(azimuths, orders);
-  azimuth_analysis_ = PanelMatrix(orders, azimuths);
+  for (int parity = 0; parity < 2; ++parity) {
+    const int count = (orders + 1 - parity) / 2;
+    azimuth_synthesis_[static_cast<std::size_t>(parity)] = PanelMatrix(azimuths / 2, count);
+    azimuth_analysis_[static_cast<std::size_t>(parity)] = PanelMatrix(count, azimuths / 2);
+  }
   for (int m = 0; m < orders; ++m) {
     for (const Hemisphere half : {kDown, kUp}) {
       PanelMatrix synthesis(nodes, degrees(m));
@@ -53,10 +56,11 @@ AngularGrid::AngularGrid(const AngularResolution& resolution) : resolution_(reso
       polar_synthesis_[half].push_back(std::move(synthesis));
       polar_analysis_[half].push_back(std::move(analysis));
     }
-    for (int k = 0; k < azimuths; ++k) {
+    const auto parity = static_cast<std::size_t>(m % 2);
+    for (int k = 0; k < azimuths / 2; ++k) {
       const double cosine = std::cos(m * azimuth_rad_[static_cast<std::size_t>(k)]);
-      azimuth_synthesis_.set(k, m, m == 0 ? cosine : 2.0 * cosine);
-      azimuth_analysis_.set(m, k, cosine);
+      azimuth_synthesis_[parity].set(k, m / 2, m == 0 ? cosine : 2.0 * cosine);
+      azimuth_analysis_[parity].set(m / 2, k, cosine);
     }
   }
 }

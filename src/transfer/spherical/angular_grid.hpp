@@ -13,7 +13,7 @@ struct AngularResolution {
   int max_l = 12;          ///< highest Legendre order of the (delta-M scaled) phase function
   int max_m = 9;           ///< highest azimuthal order
   int polar_nodes = 10;    ///< μ nodes per hemisphere
-  int azimuth_nodes = 10;  ///< φ midpoints in (0, π)
+  int azimuth_nodes = 10;  ///< φ midpoints in (0, π); even
 
   bool operator==(const AngularResolution&) const = default;
 };
@@ -69,10 +69,17 @@ class AngularGrid {
   const PanelMatrix& polar_analysis(Hemisphere half, int m) const {
     return polar_analysis_[half][static_cast<std::size_t>(m)];
   }
-  /// (2-δ_m0) cos(mφ_k): rows = azimuth nodes, columns = m.
-  const PanelMatrix& azimuth_synthesis() const { return azimuth_synthesis_; }
-  /// cos(mφ_k): rows = m, columns = azimuth nodes.
-  const PanelMatrix& azimuth_analysis() const { return azimuth_analysis_; }
+  /// The azimuth nodes lie symmetrically about π/2, where cos mφ is even for even m and odd for odd m: half
+  /// of the nodes do for each parity. (2-δ_m0) cos(mφ_k): rows = the first half of the nodes, columns = m of
+  /// one parity.
+  const PanelMatrix& azimuth_synthesis(int parity) const {
+    return azimuth_synthesis_[static_cast<std::size_t>(parity)];
+  }
+  /// cos(mφ_k): rows = m of one parity, columns = the first half of the nodes. It acts on the sum (even m) or
+  /// the difference (odd m) of a node and its mirror image.
+  const PanelMatrix& azimuth_analysis(int parity) const {
+    return azimuth_analysis_[static_cast<std::size_t>(parity)];
+  }
 
  private:
   AngularResolution resolution_;
@@ -82,8 +89,8 @@ class AngularGrid {
   std::vector<double> azimuth_rad_;
   std::array<std::vector<PanelMatrix>, 2> polar_synthesis_;
   std::array<std::vector<PanelMatrix>, 2> polar_analysis_;
-  PanelMatrix azimuth_synthesis_;
-  PanelMatrix azimuth_analysis_;
+  std::array<PanelMatrix, 2> azimuth_synthesis_;
+  std::array<PanelMatrix, 2> azimuth_analysis_;
 };
 
 }  // namespace skylut::transfer

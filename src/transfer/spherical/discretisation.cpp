@@ -122,7 +122,7 @@ CutOff cut_off(const OpticalColumn& column, int max_l) {
 AngularResolution angles_for(const OpticalColumn& column, const QualityLimits& limits) {
   constexpr int kMostDegrees = 30;
   // Diffraction by large particles: PeakSpread restores it around the sun.
-  constexpr double kNarrow = 0.4;
+  constexpr double kNarrow = 0.48;
   AngularResolution angles;
   for (angles.max_l = 2; angles.max_l < kMostDegrees; angles.max_l += 2) {
     const CutOff cut = cut_off(column, angles.max_l);

@@ -49,8 +49,8 @@ struct SweepView {
   const int* moment_degree;             ///< [moment]: its l
   const float* polar_synthesis[2][32];  ///< [hemisphere][m], panels
   const float* polar_analysis[2][32];
-  const float* azimuth_synthesis;
-  const float* azimuth_analysis;
+  const float* azimuth_synthesis[2];  ///< [parity of m], panels
+  const float* azimuth_analysis[2];
   const float* flux_weight;        ///< [polar][azimuth]: irradiance = Σ weight I
   const float* beam_moment;        ///< [sun node][moment]: Λ_lm(-μs)/4π
   const float* sun_cosine;         ///< [sun node]

@@ -51,8 +51,10 @@ SweepTables::SweepTables(const Discretisation& grid) {
     view_.polar_step[half] = &stencil.polar(half, 0, 0);
     view_.sun_taps[half] = stencil.sun(half, 0, 0);
   }
-  view_.azimuth_synthesis = angles.azimuth_synthesis().data();
-  view_.azimuth_analysis = angles.azimuth_analysis().data();
+  for (const int parity : {0, 1}) {
+    view_.azimuth_synthesis[parity] = angles.azimuth_synthesis(parity).data();
+    view_.azimuth_analysis[parity] = angles.azimuth_analysis(parity).data();
+  }
   view_.flux_weight = flux_weight_.data();
   view_.beam_moment = beam_moment_.data();
   view_.sun_cosine = sun_cosine_.data();

@@ -16,6 +16,14 @@ double entry(const PanelMatrix& matrix, int row, int column) {
   return matrix.data()[(row / kPanelRows * matrix.columns() + column) * kPanelRows + row % kPanelRows];
 }
 
+/// Entry of an azimuthal matrix for any node: the first half of the nodes and their mirror images.
+double azimuthal(const PanelMatrix& matrix, bool synthesis, int k, int m, int nodes) {
+  const bool mirrored = k >= nodes / 2;
+  const int node = mirrored ? nodes - 1 - k : k;
+  const double sign = mirrored && m % 2 == 1 ? -1.0 : 1.0;
+  return sign * (synthesis ? entry(matrix, node, m / 2) : entry(matrix, m / 2, node));
+}
+
 // ∫ Λ_lm Λ_km dμ = 2/(2l+1) δ_lk. The n-point rule in t = √|μ| is exact for degree 2n - 1 in t. Even l + k
 // with the weight 2t: degree 2(l+k) + 1 <= 2n - 1. For odd l + k the hemispheres cancel.
 TEST(AngularGrid, QuadratureKeepsTheLegendreFunctionsOrthogonal) {
@@ -62,12 +70,13 @@ std::vector<double> round_trip(const AngularGrid& grid, const std::vector<double
         for (int m = 0; m < grid.azimuthal_orders(); ++m)
           for (int i = 0; i < grid.degrees(m); ++i)
             radiance += (2.0 * (m + i) + 1.0) * entry(grid.polar_synthesis(half, m), j, i) *
-                        entry(grid.azimuth_synthesis(), k, m) *
+                        azimuthal(grid.azimuth_synthesis(m % 2), true, k, m, grid.azimuth_nodes()) *
                         moment[static_cast<std::size_t>(grid.moment_offset(m) + i)];
         for (int m = 0; m < grid.azimuthal_orders(); ++m)
           for (int i = 0; i < grid.degrees(m); ++i)
             back[static_cast<std::size_t>(grid.moment_offset(m) + i)] +=
-                entry(grid.polar_analysis(half, m), i, j) * entry(grid.azimuth_analysis(), m, k) * radiance;
+                entry(grid.polar_analysis(half, m), i, j) *
+                azimuthal(grid.azimuth_analysis(m % 2), false, k, m, grid.azimuth_nodes()) * radiance;
       }
   return back;
 }
