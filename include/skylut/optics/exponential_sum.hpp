@@ -18,7 +18,7 @@ double transmittance(const std::vector<Exponential>& sum, double amount);
 /// has as few as keep the transmittance of m vertical amounts within 0.005 (1 + m / 2), m = 0.05 to 40
 /// (twice that before a third term is taken; 0.05 where lines are black, since no term is blacker
 /// than a vertical depth of 3). Weighted least squares, coefficients from a logarithmic grid, weights > 0
-/// with sum 1. [docs/air.md §13, A24]
+/// with sum 1. [docs/air.md §10, A24]
 ///
 /// @param sum              weights >= 0 with sum 1, coefficients >= 0
 /// @param vertical_amount  of the whole atmosphere, >= 0

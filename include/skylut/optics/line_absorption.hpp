@@ -18,7 +18,7 @@ struct LineBand {
 
 /// Absorption of one gas by lines too narrow to resolve: the distribution of its absorption coefficients
 /// in every nm (k-distribution). A mean coefficient would be wrong: what a line has taken out, more gas
-/// cannot take out again, so transmittance falls slower than exponentially. [docs/air.md §13]
+/// cannot take out again, so transmittance falls slower than exponentially. [docs/air.md §10]
 class LineAbsorption {
  public:
   static constexpr std::size_t kCoefficients = 8;

@@ -171,7 +171,7 @@ TEST(GasAir, OzoneDepths) {
 // Lines in ASTM G-173-03's direct beam (air mass 1.5): the standard's direct over its extraterrestrial
 // irradiance, summed over 10 nm, divided by the transmittances of air, ozone, NO2, O2-O2 and its rural
 // aerosol (Ångström exponents 0.933 and 1.444 below and above 500 nm). These leave 0.5-1 % between 530 and
-// 680 nm where no line absorbs, hence 0.015; our A band is less deep than SMARTS' (docs/air.md §13).
+// 680 nm where no line absorbs, hence 0.015; our A band is less deep than SMARTS' (docs/air.md §10).
 TEST(GasAir, TransmittancesOfG173) {
   const Air air = g173_air();
   struct Band {
