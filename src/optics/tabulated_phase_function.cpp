@@ -5,41 +5,36 @@
 #include <cmath>
 #include <utility>
 
-#include "skylut/core/constants.hpp"
-
 namespace skylut {
 
 namespace {
 
-// The grid is equally spaced in u = a ln(1 + θ/θ0) + b θ: 0.01 degrees at 0, 0.05 at 1, 0.2 at 10, 0.32 at
-// 150 degrees.
-constexpr double kScale_rad = 0.25 * kRadiansPerDegree;
-constexpr double kLogarithmic = 25.0;
-constexpr double kLinear_per_rad = 3.0 * kDegreesPerRadian;
+// The grid is equally spaced in u = √sin(θ/2) + 0.6 (1 - cos(θ/2)), which takes square roots of μ alone:
+// steps of 0.01 degrees at 0.1, 0.04 at 1, 0.1 at 10, 0.3 degrees at 180.
+constexpr double kBackward = 0.6;
+constexpr std::size_t kGridSize = 1000;
+constexpr double kSteps_per_unit = static_cast<double>(kGridSize - 1) / (1.0 + kBackward);
 
-double coordinate(double angle) {
-  return kLogarithmic * std::log1p(angle / kScale_rad) + kLinear_per_rad * angle;
+double coordinate(double mu) {
+  const double sine = std::sqrt(std::max(0.0, 0.5 * (1.0 - mu)));
+  const double cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + mu)));
+  return std::sqrt(sine) + kBackward * (1.0 - cosine);
 }
 
-std::size_t grid_size() { return static_cast<std::size_t>(std::ceil(coordinate(kPi))) + 1; }
-
-// Step of u between nodes, so that the last is at π.
-double grid_step() { return coordinate(kPi) / static_cast<double>(grid_size() - 1); }
-
 std::vector<double> cosines_of_grid() {
-  std::vector<double> cosines;
-  double angle = 0.0;
-  for (std::size_t i = 0; i < grid_size(); ++i) {
-    const double wanted = static_cast<double>(i) * grid_step();
-    for (int newton = 0; newton < 50; ++newton) {
-      const double slope = kLogarithmic / (kScale_rad + angle) + kLinear_per_rad;
-      const double step = (wanted - coordinate(angle)) / slope;
-      angle += step;
-      if (std::abs(step) < 1e-15) break;
+  std::vector<double> cosines{1.0};
+  for (std::size_t i = 1; i + 1 < kGridSize; ++i) {
+    const double wanted = static_cast<double>(i) / kSteps_per_unit;
+    // By bisection in r = √sin(θ/2), in which u grows steadily: μ = 1 - 2 r⁴.
+    double low = 0.0;
+    double high = 1.0;
+    for (int halving = 0; halving < 60; ++halving) {
+      const double r = 0.5 * (low + high);
+      (coordinate(1.0 - 2.0 * r * r * r * r) < wanted ? low : high) = r;
     }
-    cosines.push_back(std::cos(angle));
+    cosines.push_back(1.0 - 2.0 * low * low * low * low);
   }
-  cosines.back() = -1.0;
+  cosines.push_back(-1.0);
   return cosines;
 }
 
@@ -85,11 +80,7 @@ TabulatedPhaseFunction::TabulatedPhaseFunction(const TabulatedPhaseFunction& fir
 }
 
 double TabulatedPhaseFunction::value(double mu) const {
-  static const double steps_per_unit = 1.0 / grid_step();
-  // 2 atan(√((1-μ)/(1+μ))): accurate towards both ends.
-  const double angle =
-      2.0 * std::atan2(std::sqrt(std::max(0.0, 1.0 - mu)), std::sqrt(std::max(0.0, 1.0 + mu)));
-  const double position = steps_per_unit * coordinate(angle);
+  const double position = kSteps_per_unit * coordinate(mu);
   const auto below =
       static_cast<std::size_t>(std::clamp(position, 1.0, static_cast<double>(table_.size() - 3)));
   // Lagrange's cubic through four nodes.
