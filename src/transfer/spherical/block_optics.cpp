@@ -94,9 +94,12 @@ void BlockOptics::phase_values(double cos_scattering_angle, float* value) const 
 void BlockOptics::peak_values(double cos_scattering_angle, float* value) const {
   const auto width = static_cast<std::size_t>(lanes);
   const auto count = static_cast<std::size_t>(scatterers);
+  std::size_t terms = 0;
+  for (const PeakSpread& spread : spread_) terms = std::max(terms, spread.terms());
+  const std::vector<double> legendre = legendre_polynomials(cos_scattering_angle, terms);
   for (std::size_t lane = 0; lane < width; ++lane)
     for (std::size_t s = 0; s < count; ++s) {
-      const PeakSpread::Coefficients spread = spread_[lane * count + s].at(cos_scattering_angle);
+      const PeakSpread::Coefficients spread = spread_[lane * count + s].at(legendre);
       value[s * width + lane] = static_cast<float>(spread.first);
       value[(count + s) * width + lane] = static_cast<float>(spread.second);
     }

@@ -26,21 +26,29 @@ PeakSpread::PeakSpread(const PhaseFunction& phase, int max_l) {
   }
 }
 
-PeakSpread::Coefficients PeakSpread::at(double cos_scattering_angle) const {
-  // Legendre polynomials by (l+1) P_{l+1} = (2l+1) x P_l - l P_{l-1}.
-  const double x = cos_scattering_angle;
+PeakSpread::Coefficients PeakSpread::at(std::span<const double> legendre) const {
   Coefficients sum;
+  for (std::size_t l = 0; l < term_.size(); ++l) {
+    sum.first += term_[l].first * legendre[l];
+    sum.second += term_[l].second * legendre[l];
+  }
+  return sum;
+}
+
+std::vector<double> legendre_polynomials(double x, std::size_t terms) {
+  // (l+1) P_{l+1} = (2l+1) x P_l - l P_{l-1}.
+  std::vector<double> values;
+  values.reserve(terms);
   double before = 0.0;
   double value = 1.0;
-  for (std::size_t i = 0; i < term_.size(); ++i) {
-    sum.first += term_[i].first * value;
-    sum.second += term_[i].second * value;
+  for (std::size_t i = 0; i < terms; ++i) {
+    values.push_back(value);
     const double l = static_cast<double>(i);
     const double next = ((2.0 * l + 1.0) * x * value - l * before) / (l + 1.0);
     before = value;
     value = next;
   }
-  return sum;
+  return values;
 }
 
 }  // namespace skylut::transfer

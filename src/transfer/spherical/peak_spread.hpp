@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "skylut/optics/phase_function.hpp"
@@ -25,10 +26,15 @@ class PeakSpread {
     double first = 0.0;
     double second = 0.0;
   };
-  Coefficients at(double cos_scattering_angle) const;
+  /// @param legendre  P_l(cosΘ) for l < terms(), the same for every phase function
+  Coefficients at(std::span<const double> legendre) const;
+  std::size_t terms() const { return term_.size(); }
 
  private:
   std::vector<Coefficients> term_;  // by degree: factors of P_l
 };
+
+/// P_0 … P_{terms-1} of a cosine.
+std::vector<double> legendre_polynomials(double x, std::size_t terms);
 
 }  // namespace skylut::transfer
