@@ -18,7 +18,8 @@ PREETHAM_K = 0.678
 # and two lines for a factor of 2, so that a range is known within 20 %.
 FIGURE_3_KM = {1: 362, 2: 36, 4: 8, 8: 3.4, 16: 2, 32: 1.4, 64: 1}
 # Where the words stand beside the drawn curve: turbidity, range/km.
-FIGURE_3_WORDS = {"exceptionally clear": (1.2, 181), "very clear": (1.8, 45), "clear": (2.8, 16), "light haze": (5.1, 5.7), "haze": (14, 2)}
+FIGURE_3_WORDS = {"exceptionally clear": (1.2, 181), "very clear": (1.8, 45), "clear": (2.8, 16),
+                  "light haze": (5.1, 5.7), "haze": (14, 2)}
 
 
 def rayleigh_per_km():
@@ -118,20 +119,24 @@ def add_figure_3(context, section):
         rows.append([f"{turbidity}", f"{ours['preetham']:.3g}", f"{ours['rural']:.3g}", f"{paper:.3g}", f"{figure:g}",
                      f"{ratios[-1]:.2f}", f"{height:.2f}" if height else "–"])
     section.add(table(["T", "`preetham`/km", "`rural`/km", "A.3/km", "Fig. 3/km", "`preetham` / Fig. 3", "implied height/km"], rows))
-    words = "; ".join(f"{word} at T {t:g} and {r:g} km (`preetham` {kinds(context, 'preetham', 'preetham-t', t)['visibility-km']:.3g} km, "
-                      f"`rural` {kinds(context, 'rural', 'preetham-t', t)['visibility-km']:.3g} km)" for word, (t, r) in FIGURE_3_WORDS.items())
-    section.add(f"The drawing's words: {words}.")
-    section.add("T is a column, range a matter of the ground: which range belongs to a T depends on how high the haze reaches. Ours keep one "
-                f"shape at every load (`preetham`: Elterman, {shape:.2f} km; `rural` 2 km; A.3: 1.2 km), so that their ranges fall nearly as 1/(T − 1). "
-                "The figure's fall steeper to T ≈ 4 and less steep above 16: McCartney's hazes are shallower than Elterman's between, "
-                "by the implied heights. A.3 against `preetham`: the scale heights' ratio less the 2.4 % by which A.3's concentration falls short of its "
-                "own T (E11: T 6 comes back as 5.88); in pure air A.3 rounds n − 1 from 2.78e-4 to 3e-4 (340 km become 288) and leaves some haze (c = 0.0034e-18: 280). One who knows the range should give it (`--turbidity-kind visibility-km`), not a T read from the figure.")
+    words = []
+    for word, (turbidity, drawn_km) in FIGURE_3_WORDS.items():
+        preetham, rural = (kinds(context, name, "preetham-t", turbidity)["visibility-km"] for name in ("preetham", "rural"))
+        words.append(f"{word} at T {turbidity:g} and {drawn_km:g} km (`preetham` {preetham:.3g} km, `rural` {rural:.3g} km)")
+    section.add(f"The drawing's words: {'; '.join(words)}.")
+    section.add("T is a column, range a matter of the ground: which range belongs to a T depends on how high the haze reaches. Ours keep "
+                f"one shape at every load (`preetham`: Elterman, {shape:.2f} km; `rural` 2 km; A.3: 1.2 km), so that their ranges fall "
+                "nearly as 1/(T − 1). The figure's fall steeper to T ≈ 4 and less steep above 16: McCartney's hazes are shallower than "
+                "Elterman's between, by the implied heights. A.3 against `preetham`: the scale heights' ratio less the 2.4 % by which "
+                "A.3's concentration falls short of its own T (E11: T 6 comes back as 5.88); in pure air A.3 rounds n − 1 from 2.78e-4 "
+                "to 3e-4 (340 km become 288) and leaves some haze (c = 0.0034e-18: 280). One who knows the range should give it "
+                "(`--turbidity-kind visibility-km`), not a T read from the figure.")
     section.check("range falls with turbidity", f"T 1–64, {' and '.join(AEROSOLS)}", "every step" if falls else "not everywhere", "every step", falls)
     section.check("range by `preetham-t` on paper, `preetham`", f"T 1–64: 3.912/(β_R + (T − 1) {RAYLEIGH_DEPTH}/{shape:.2f} km)",
                   f"worst {percent(worst)}", "0.5 %", worst <= 0.005)
     hazy = [f for f, t in zip(formula, FIGURE_3_KM) if t >= 4]
-    section.check("Preetham's A.3, range", "`preetham`, T 4–64", f"ratio {min(hazy):.3f}–{max(hazy):.3f}; the heights' is {shape / 1.2:.3f}",
-                  "–", None)
+    section.check("Preetham's A.3, range", "`preetham`, T 4–64",
+                  f"ratio {min(hazy):.3f}–{max(hazy):.3f}; the heights' is {shape / 1.2:.3f}", "–", None)
     section.check("Preetham's Fig. 3, range (redrawn)", "`preetham`, T 1–64", f"ratio {min(ratios):.2f}–{max(ratios):.2f}", "–", None)
 
 
