@@ -15,7 +15,8 @@ BOLTZMANN = 1.380649e-23
 # Preetham, Shirley & Smits 1999, A.3, at 550 nm: the haze's K (their table 2), concentration (10^-18 for 10^-16, errata E11).
 PREETHAM_K = 0.678
 # Their Fig. 3 is not in the text. A drawing of it in the manual of SLIB's package `daylight` (A. Jaffer) gives these: ten columns
-# and two lines for a factor of 2, so that a range is known within 20 %.
+# and two lines for a factor of 2, so that a range is known within 20 % of the drawing; the drawing is itself a smooth curve made to
+# resemble the figure.
 FIGURE_3_KM = {1: 362, 2: 36, 4: 8, 8: 3.4, 16: 2, 32: 1.4, 64: 1}
 # Where the words stand beside the drawn curve: turbidity, range/km.
 FIGURE_3_WORDS = {"exceptionally clear": (1.2, 181), "very clear": (1.8, 45), "clear": (2.8, 16),
@@ -101,7 +102,7 @@ def add_figure_3(context, section):
     section.add("T = (τ_R + τ_A)/τ_R at 550 nm; range for a contrast of 2 %, 3.912 over the extinction at the ground. *A.3*: the paper's own "
                 "scattering coefficients (K = 0.678, concentration with 10⁻¹⁸, [errata E11](errata.md#e11)). *Fig. 3*: the figure itself "
                 "is not in the paper's text; read from a drawing of it (manual of SLIB's package `daylight`, A. Jaffer), "
-                "± 20 % in range. *Implied height*: the scale height of haze that gives the figure's range at its T.")
+                "± 20 % in range by its coarseness; it is a smooth curve made to resemble the figure, no data. *Implied height*: the scale height of haze that gives the figure's range at its T.")
     per_km = rayleigh_per_km()
     shape = scale_height_km(described(context, "preetham")["shape"])
     rows, ratios, formula, before = [], [], [], {}
