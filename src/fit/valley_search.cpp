@@ -97,21 +97,33 @@ Valley best_at(const NodeSums& sums, double B, double D, const std::vector<doubl
       at = i;
     }
   }
-  // Golden section between the neighbours of the best node.
+  // Golden section between the neighbours of the best node; each step keeps one of its two points.
+  constexpr double kGolden = 0.6180339887498949;
   double low = gradations[at == 0 ? 0 : at - 1];
   double high = gradations[std::min(at + 1, gradations.size() - 1)];
-  constexpr double kGolden = 0.6180339887498949;
-  for (int step = 0; step < 12; ++step) {
-    const double left = high - kGolden * (high - low);
-    const double right = low + kGolden * (high - low);
-    const Eliminated at_left = eliminate(sums, left);
-    const Eliminated at_right = eliminate(sums, right);
-    const bool go_left = at_left.cost < at_right.cost;
-    const Eliminated& better = go_left ? at_left : at_right;
-    const double a = go_left ? left : right;
-    (go_left ? high : low) = go_left ? right : left;
-    if (better.cost < best.cost) best = {better.cost, {a, B, better.c, D, better.e}};
-  }
+  const auto look_at = [&](double a) {
+    const Eliminated found = eliminate(sums, a);
+    if (found.cost < best.cost) best = {found.cost, {a, B, found.c, D, found.e}};
+    return found.cost;
+  };
+  double left = high - kGolden * (high - low);
+  double right = low + kGolden * (high - low);
+  double cost_left = look_at(left);
+  double cost_right = look_at(right);
+  for (int step = 1; step < 12; ++step)
+    if (cost_left < cost_right) {
+      high = right;
+      right = left;
+      cost_right = cost_left;
+      left = high - kGolden * (high - low);
+      cost_left = look_at(left);
+    } else {
+      low = left;
+      left = right;
+      cost_left = cost_right;
+      right = low + kGolden * (high - low);
+      cost_right = look_at(right);
+    }
   return best;
 }
 
