@@ -1,5 +1,6 @@
 #pragma once
 
+#include "azimuth_transform.hpp"
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
@@ -50,7 +51,6 @@ class DiffuseField {
  private:
   static constexpr int kWatched = 3;
   static constexpr int kPushEvery = 3;
-  static constexpr int kMostAzimuths = 32;
 
   std::size_t count(int levels, int each) const {
     return static_cast<std::size_t>(levels * grid_.sun_nodes * each);
@@ -68,8 +68,6 @@ class DiffuseField {
   void sweep_down(LaneMask<V> active);
   void reflect_at_ground(LaneMask<V> active, bool by_order);
   void sweep_up(LaneMask<V> active);
-  void azimuths_of_orders(const V* order, V* azimuth);
-  void orders_of_azimuths(const V* azimuth, V* order);
   void source(Hemisphere half, int sublayer, int level, int node, int polar_count, V* to);
   void analyse(Hemisphere half, int level, int node, LaneMask<V> active);
   void transport(Hemisphere half, int sublayer, int start_level, int end_level);
@@ -166,35 +164,6 @@ void DiffuseField<V>::attenuate_beam() {
   }
 }
 
-/// Σ_m (2-δ_m0) order_m cos mφ at the azimuth nodes: even and odd m on half of the nodes, which mirror each
-/// other about π/2.
-template <class V>
-void DiffuseField<V>::azimuths_of_orders(const V* order, V* azimuth) {
-  const int nodes = grid_.azimuth_nodes;
-  V even[kMostAzimuths / 2];
-  V odd[kMostAzimuths / 2];
-  apply_matrix(grid_.azimuth_synthesis[0], nodes / 2, (grid_.azimuthal_orders + 1) / 2, order, 2, even, 1);
-  apply_matrix(grid_.azimuth_synthesis[1], nodes / 2, grid_.azimuthal_orders / 2, order + 1, 2, odd, 1);
-  for (int k = 0; k < nodes / 2; ++k) {
-    azimuth[k] = even[k] + odd[k];
-    azimuth[nodes - 1 - k] = even[k] - odd[k];
-  }
-}
-
-/// Σ_k radiance_k cos mφ_k for every m, the same way back.
-template <class V>
-void DiffuseField<V>::orders_of_azimuths(const V* azimuth, V* order) {
-  const int nodes = grid_.azimuth_nodes;
-  V even[kMostAzimuths / 2];
-  V odd[kMostAzimuths / 2];
-  for (int k = 0; k < nodes / 2; ++k) {
-    even[k] = azimuth[k] + azimuth[nodes - 1 - k];
-    odd[k] = azimuth[k] - azimuth[nodes - 1 - k];
-  }
-  apply_matrix(grid_.azimuth_analysis[0], (grid_.azimuthal_orders + 1) / 2, nodes / 2, even, 1, order, 2);
-  apply_matrix(grid_.azimuth_analysis[1], grid_.azimuthal_orders / 2, nodes / 2, odd, 1, order + 1, 2);
-}
-
 /// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes:
 /// J = ω Σ (2l+1) χ_l (2-δ_m0) Λ_lm cos(mφ) [M_lm + T c Λ_lm(-μs)/4π]. [M3, M4]
 template <class V>
@@ -217,7 +186,7 @@ void DiffuseField<V>::source(Hemisphere half, int sublayer, int level, int node,
     apply_matrix(grid_.polar_synthesis[half][m], polar_count, grid_.degrees - m,
                  scaled + grid_.moment_offset[m], 1, by_order + m, orders);
   for (int j = 0; j < polar_count; ++j)
-    azimuths_of_orders(by_order + j * orders, to + j * grid_.azimuth_nodes);
+    azimuths_of_orders(grid_, by_order + j * orders, to + j * grid_.azimuth_nodes);
 }
 
 /// Moments of one hemisphere's radiance at the level that the sweep has reached. Lanes that have
@@ -228,7 +197,7 @@ void DiffuseField<V>::analyse(Hemisphere half, int level, int node, LaneMask<V> 
   const V* radiance = radiance_.data() + node * directions();
   V* by_order = orders_.data();
   for (int j = 0; j < grid_.polar_nodes; ++j)
-    orders_of_azimuths(radiance + j * grid_.azimuth_nodes, by_order + j * orders);
+    orders_of_azimuths(grid_, radiance + j * grid_.azimuth_nodes, by_order + j * orders);
   V* found = scaled_moments_.data();
   for (int m = 0; m < orders; ++m)
     apply_matrix(grid_.polar_analysis[half][m], grid_.degrees - m, grid_.polar_nodes, by_order + m, orders,
