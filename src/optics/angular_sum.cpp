@@ -3,8 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "skylut/core/constants.hpp"
-
 namespace skylut {
 
 namespace {
@@ -78,42 +76,6 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-HalfRule half_gauss_legendre(int count) {
-  const double all = 2.0 * count;
-  HalfRule rule;
-  for (int first = 0; first < count; first += static_cast<int>(kTile)) {
-    // Tricomi's guess, error O(count⁻⁴), and three steps of Newton: round-off for every count above 4. A tile
-    // of nodes together, because the recurrence by itself waits for its own results.
-    Tile x;
-    for (std::size_t i = 0; i < kTile; ++i)
-      x[i] = (1.0 - (all - 1.0) / (8.0 * all * all * all)) *
-             std::cos(kPi * (first + static_cast<double>(i) + 0.75) / (all + 0.5));
-    Tile derivative{};
-    for (int newton = 0; newton < 3; ++newton) {
-      Tile before{};
-      Tile legendre;
-      legendre.fill(1.0);
-      for (int l = 1; l <= 2 * count; ++l) {
-        const double part = 1.0 / l;
-        for (std::size_t i = 0; i < kTile; ++i) {
-          const double next = (2.0 - part) * x[i] * legendre[i] - (1.0 - part) * before[i];
-          before[i] = legendre[i];
-          legendre[i] = next;
-        }
-      }
-      for (std::size_t i = 0; i < kTile; ++i) {
-        derivative[i] = all * (x[i] * legendre[i] - before[i]) / (x[i] * x[i] - 1.0);
-        x[i] -= legendre[i] / derivative[i];
-      }
-    }
-    for (std::size_t i = 0; i < kTile && first + static_cast<int>(i) < count; ++i) {
-      rule.node.push_back(x[i]);
-      rule.weight.push_back(2.0 / ((1.0 - x[i] * x[i]) * derivative[i] * derivative[i]));
-    }
-  }
-  return rule;
-}
-
 int AngularSum::class_of(int terms) {
   int size = 8;
   while (size < terms) size = static_cast<int>(std::ceil(kClassRatio * size));
@@ -122,7 +84,8 @@ int AngularSum::class_of(int terms) {
 
 void AngularSum::prepare(Rules& rules, int class_terms) {
   // Degree 2 N of the sum times degree 2 N of the polynomial: 2 N + 1 nodes, here 2 N + 2.
-  if (!rules.contains(class_terms)) rules.emplace(class_terms, half_gauss_legendre(class_terms + 1));
+  if (!rules.contains(class_terms))
+    rules.emplace(class_terms, gauss_legendre(2 * (class_terms + 1), -1.0, 1.0));
 }
 
 void AngularSum::add(const MieSphere& sphere, double weight) {
@@ -132,15 +95,17 @@ void AngularSum::add(const MieSphere& sphere, double weight) {
 std::vector<double> AngularSum::moments(const Rules& rules) const {
   std::vector<double> moments;
   for (const auto& [terms, spheres] : classes_) {
-    const HalfRule& rule = rules.at(terms);
+    const Quadrature& rule = rules.at(terms);
+    const std::size_t nodes = rule.node.size();
     const std::size_t degrees = 2 * static_cast<std::size_t>(terms) + 1;
     if (moments.size() < degrees) moments.resize(degrees, 0.0);
-    for (std::size_t first = 0; first < rule.node.size(); first += kTile) {
+    // Nodes with μ > 0, from the forward direction on; each stands for -μ too.
+    for (std::size_t first = 0; first < nodes / 2; first += kTile) {
       Tile mu{};
       Tile weight{};
-      for (std::size_t i = 0; i < kTile && first + i < rule.node.size(); ++i) {
-        mu[i] = rule.node[first + i];
-        weight[i] = rule.weight[first + i];
+      for (std::size_t i = 0; i < kTile && first + i < nodes / 2; ++i) {
+        mu[i] = rule.node[nodes - 1 - (first + i)];
+        weight[i] = rule.weight[nodes - 1 - (first + i)];
       }
       const AngularFunctions functions = angular_functions(mu, static_cast<std::size_t>(terms));
       // The scattered light at μ and at -μ: π_n(-μ) = (-1)^(n+1) π_n(μ), τ_n(-μ) = (-1)^n τ_n(μ).

@@ -4,25 +4,17 @@
 #include <map>
 #include <vector>
 
+#include "skylut/core/quadrature.hpp"
 #include "skylut/optics/mie_sphere.hpp"
 
 namespace skylut {
-
-/// Nodes with μ > 0 of a Gauss-Legendre rule on [-1, 1] with an even number of them, descending.
-struct HalfRule {
-  std::vector<double> node;
-  std::vector<double> weight;
-};
-
-/// @param count  of the nodes with μ > 0, >= 1
-HalfRule half_gauss_legendre(int count);
 
 /// Legendre moments of the light that many spheres scatter. Spheres are sorted into classes of like size; a
 /// class sums |S1|² + |S2|² at the nodes of a Gauss-Legendre rule that is exact for every moment. [P6]
 class AngularSum {
  public:
   /// Rules by the number of terms of a class; they serve all wavelengths.
-  using Rules = std::map<int, HalfRule>;
+  using Rules = std::map<int, Quadrature>;
 
   /// Smallest class that takes a series of that many terms.
   static int class_of(int terms);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "skylut/core/legendre.hpp"
+
 namespace skylut::transfer {
 
 namespace {
@@ -94,9 +96,10 @@ void BlockOptics::phase_values(double cos_scattering_angle, float* value) const 
 void BlockOptics::peak_values(double cos_scattering_angle, float* value) const {
   const auto width = static_cast<std::size_t>(lanes);
   const auto count = static_cast<std::size_t>(scatterers);
-  std::size_t terms = 0;
+  std::size_t terms = 1;
   for (const PeakSpread& spread : spread_) terms = std::max(terms, spread.terms());
-  const std::vector<double> legendre = legendre_polynomials(cos_scattering_angle, terms);
+  const std::vector<double> legendre =
+      normalised_legendre(0, static_cast<int>(terms) - 1, cos_scattering_angle);
   for (std::size_t lane = 0; lane < width; ++lane)
     for (std::size_t s = 0; s < count; ++s) {
       const PeakSpread::Coefficients spread = spread_[lane * count + s].at(legendre);

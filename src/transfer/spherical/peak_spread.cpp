@@ -35,20 +35,4 @@ PeakSpread::Coefficients PeakSpread::at(std::span<const double> legendre) const 
   return sum;
 }
 
-std::vector<double> legendre_polynomials(double x, std::size_t terms) {
-  // (l+1) P_{l+1} = (2l+1) x P_l - l P_{l-1}.
-  std::vector<double> values;
-  values.reserve(terms);
-  double before = 0.0;
-  double value = 1.0;
-  for (std::size_t i = 0; i < terms; ++i) {
-    values.push_back(value);
-    const double l = static_cast<double>(i);
-    const double next = ((2.0 * l + 1.0) * x * value - l * before) / (l + 1.0);
-    before = value;
-    value = next;
-  }
-  return values;
-}
-
 }  // namespace skylut::transfer

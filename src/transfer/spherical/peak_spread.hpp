@@ -26,15 +26,12 @@ class PeakSpread {
     double first = 0.0;
     double second = 0.0;
   };
-  /// @param legendre  P_l(cosΘ) for l < terms(), the same for every phase function
+  /// @param legendre  P_l(cosΘ) for l < terms() at least; they serve every phase function
   Coefficients at(std::span<const double> legendre) const;
   std::size_t terms() const { return term_.size(); }
 
  private:
   std::vector<Coefficients> term_;  // by degree: factors of P_l
 };
-
-/// P_0 … P_{terms-1} of a cosine.
-std::vector<double> legendre_polynomials(double x, std::size_t terms);
 
 }  // namespace skylut::transfer

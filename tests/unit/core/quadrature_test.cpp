@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace skylut {
 namespace {
@@ -17,6 +18,24 @@ TEST(Quadrature, GaussLegendreIsExactForPolynomials) {
         sum += rule.weight[i] * std::pow(rule.node[i], power);
       EXPECT_NEAR(sum * (power + 1.0), 1.0, 1e-13) << count << " nodes, power " << power;
     }
+  }
+}
+
+// The rules of large Mie spheres: Σ w P_l(x) = 0 for every l but 0. Each weight carries the rounding of a
+// recurrence of as many steps as there are nodes.
+TEST(Quadrature, ManyNodes) {
+  for (const int count : {201, 402, 3000}) {
+    const Quadrature rule = gauss_legendre(count, -1.0, 1.0);
+    std::vector<double> moment(50);
+    double before = -2.0;
+    for (std::size_t i = 0; i < rule.node.size(); ++i) {
+      EXPECT_GT(rule.node[i], before);
+      before = rule.node[i];
+      for (unsigned l = 0; l < moment.size(); ++l)
+        moment[l] += rule.weight[i] * std::legendre(l, rule.node[i]);
+    }
+    for (std::size_t l = 0; l < moment.size(); ++l)
+      EXPECT_NEAR(moment[l], l == 0 ? 2.0 : 0.0, 1e-12) << count << " nodes, degree " << l;
   }
 }
 

@@ -15,19 +15,6 @@
 namespace skylut {
 namespace {
 
-TEST(AngularSum, HalfRuleIsGaussLegendre) {
-  for (const int count : {9, 40, 201}) {
-    const HalfRule half = half_gauss_legendre(count);
-    const Quadrature whole = gauss_legendre(2 * count, -1.0, 1.0);
-    for (std::size_t i = 0; i < half.node.size(); ++i) {
-      const std::size_t same = whole.node.size() - 1 - i;
-      EXPECT_NEAR(half.node[i], whole.node[same], 1e-14);
-      // The slope is that of one Newton step before the node.
-      EXPECT_NEAR(half.weight[i], whole.weight[same], 1e-12);
-    }
-  }
-}
-
 // Two spheres of very different size: moments against direct quadrature of their phase functions.
 TEST(AngularSum, MomentsOfTwoSpheres) {
   const std::vector<MieSphere> spheres{MieSphere(2.0, {1.5, 0.01}), MieSphere(60.0, 1.33)};
