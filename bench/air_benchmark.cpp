@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "skylut/optics/air.hpp"
+#include "skylut/atmosphere/atmosphere.hpp"
 #include "skylut/profile/profile.hpp"
 
 namespace skylut {
@@ -15,12 +15,12 @@ BENCHMARK(load_default_profile)->Unit(benchmark::kMicrosecond);
 
 void build_air(benchmark::State& state) {
   const Profile profile = load_profile("ussa1976");
-  for (auto _ : state) benchmark::DoNotOptimize(Air(profile, AirOptions{}));
+  for (auto _ : state) benchmark::DoNotOptimize(Atmosphere(profile, AtmosphereOptions{}));
 }
 BENCHMARK(build_air)->Unit(benchmark::kMicrosecond);
 
 void optical_column(benchmark::State& state) {
-  const Air air(load_profile("ussa1976"), AirOptions{});
+  const Atmosphere air(load_profile("ussa1976"), AtmosphereOptions{});
   for (auto _ : state) benchmark::DoNotOptimize(air.column(550.0, 0.5));
 }
 BENCHMARK(optical_column)->Unit(benchmark::kMicrosecond);

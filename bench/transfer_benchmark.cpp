@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "skylut/optics/air.hpp"
+#include "skylut/atmosphere/atmosphere.hpp"
 #include "skylut/profile/profile.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
 #include "skylut/transfer/sky_radiance.hpp"
@@ -21,8 +21,8 @@ namespace {
 
 using namespace transfer;
 
-const Air& default_air() {
-  static const Air air(load_profile("ussa1976"), AirOptions{});
+const Atmosphere& default_air() {
+  static const Atmosphere air(load_profile("ussa1976"), AtmosphereOptions{});
   return air;
 }
 

@@ -12,7 +12,10 @@ function(skylut_room room)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(skylut_${room} STATIC ${ARG_SOURCES})
   add_library(skylut::${room} ALIAS skylut_${room})
-  target_include_directories(skylut_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include)
+  # Headers of src/ that rooms share are included as "room/name.hpp".
+  target_include_directories(skylut_${room}
+    PUBLIC ${PROJECT_SOURCE_DIR}/include
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(skylut_${room}
     PUBLIC ${ARG_PUBLIC}
     PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:skylut_compile_options>)

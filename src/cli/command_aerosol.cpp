@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "aerosol_report.hpp"
+#include "skylut/report/aerosol_report.hpp"
 #include "commands.hpp"
 #include "number_options.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/optics/aerosol.hpp"
-#include "skylut/optics/mie_sphere.hpp"
-#include "text.hpp"
+#include "skylut/scattering/aerosol_optics.hpp"
+#include "skylut/scattering/mie_sphere.hpp"
+#include "skylut/core/text.hpp"
 
 namespace skylut::cli {
 

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "compare_report.hpp"
+#include "skylut/compare/compare_report.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/table/table_csv.hpp"
-#include "table_turbidity.hpp"
+#include "skylut/table/table_turbidity.hpp"
 
 namespace skylut::cli {
 

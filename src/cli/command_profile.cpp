@@ -8,10 +8,10 @@
 
 #include "command_profile_case.hpp"
 #include "commands.hpp"
-#include "profile_report.hpp"
+#include "skylut/report/profile_report.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/optics/turbidity.hpp"
+#include "skylut/atmosphere/turbidity.hpp"
 #include "skylut/profile/profile.hpp"
 #include "skylut/site/place.hpp"
 
@@ -36,8 +36,8 @@ struct ShowOptions {
   std::optional<double> pressure_hpa;
 };
 
-AirOptions air_options(const ShowOptions& options) {
-  AirOptions air;
+AtmosphereOptions air_options(const ShowOptions& options) {
+  AtmosphereOptions air;
   air.ground_albedo = parse_albedo(options.albedo);
   air.ozone_du = options.ozone_du;
   air.water_cm = options.water_cm;
@@ -59,7 +59,7 @@ void list_profiles() {
 
 void show_profile(const ShowOptions& options) {
   const TurbidityKind kind = parse_turbidity_kind(options.turbidity_kind);
-  const Air air(load_profile(options.name), air_options(options));
+  const Atmosphere air(load_profile(options.name), air_options(options));
   const double aod500 = to_aod500({kind, options.turbidity}, air);
   if (options.json)
     fmt::print("{}\n", profile_json(air, aod500).dump(2));

@@ -9,14 +9,14 @@
 #include <string>
 
 #include "number_options.hpp"
-#include "optical_case.hpp"
+#include "skylut/cases/optical_case.hpp"
 #include "output_check.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/optics/turbidity.hpp"
+#include "skylut/atmosphere/turbidity.hpp"
 #include "skylut/profile/profile.hpp"
-#include "text.hpp"
+#include "skylut/core/text.hpp"
 
 namespace skylut::cli {
 
@@ -62,7 +62,7 @@ void run(const CaseOptions& options) {
   OpticalCaseRequest request = options.request;
   request.views = parse_views(options.views);
   if (options.term_option->count() > 0) request.absorption_term = options.absorption_term;
-  const Air air(load_profile(options.name), options.scene.air());
+  const Atmosphere air(load_profile(options.name), options.scene.air());
   request.aod500 = to_aod500({options.scene.turbidity_kind(), options.turbidity}, air);
   if (!options.out.empty()) require_writable_file("-o", options.out);
   nlohmann::ordered_json document = optical_case(air, request);

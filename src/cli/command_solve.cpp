@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "json_reader.hpp"
+#include "skylut/core/json_reader.hpp"
 #include "number_options.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
-#include "solve_case.hpp"
-#include "text.hpp"
+#include "skylut/cases/solve_case.hpp"
+#include "skylut/core/text.hpp"
 
 namespace skylut::cli {
 namespace {

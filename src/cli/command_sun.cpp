@@ -10,7 +10,7 @@
 #include "output_check.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
-#include "skylut/compare/closed_form_sun.hpp"
+#include "skylut/models/closed_form_sun.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/export/sun_file.hpp"

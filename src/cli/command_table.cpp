@@ -18,7 +18,7 @@
 #include "skylut/table/fit_table.hpp"
 #include "skylut/table/table_csv.hpp"
 #include "skylut/table/table_json.hpp"
-#include "skylut/table/table_summary.hpp"
+#include "skylut/report/table_summary.hpp"
 
 namespace skylut::cli {
 

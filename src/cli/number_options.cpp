@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "skylut/core/errors.hpp"
-#include "text.hpp"
+#include "skylut/core/text.hpp"
 
 namespace skylut::cli {
 

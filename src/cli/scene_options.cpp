@@ -7,7 +7,7 @@
 #include "number_options.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/site/sun.hpp"
-#include "text.hpp"
+#include "skylut/core/text.hpp"
 
 namespace skylut::cli {
 
@@ -144,8 +144,8 @@ SkyScene SceneOptions::scene() const {
   return scene;
 }
 
-AirOptions SceneOptions::air() const {
-  AirOptions air;
+AtmosphereOptions SceneOptions::air() const {
+  AtmosphereOptions air;
   air.ground_albedo = parse_albedo(albedo_);
   air.aerosol = load_aerosol(aerosol_, humidity_percent_);
   air.ozone_du = ozone_du_;
@@ -212,7 +212,7 @@ std::vector<Direction> parse_suns(const std::string& text) {
 }
 
 std::string turbidity_text(const Turbidity& turbidity, const SkyScene& scene) {
-  const Air air(scene.profile, scene.air);
+  const Atmosphere air(scene.profile, scene.air);
   const double aod500 = to_aod500(turbidity, air);
   std::string text = fmt::format("{} {}", turbidity_kind_name(turbidity.kind), turbidity.value);
   for (const TurbidityKind kind : turbidity_kinds())

@@ -32,7 +32,7 @@ class SceneOptions {
   TurbidityKind turbidity_kind() const;
   bool turbidity_kind_given() const { return turbidity_kind_given_; }
   /// The air of those options, for a profile that is named elsewhere. @throws InputError as scene()
-  AirOptions air() const;
+  AtmosphereOptions air() const;
   bool has_date() const { return !date_.empty(); }
   bool has_longitude() const { return !longitude_.empty(); }
   const std::string& quality() const { return quality_; }

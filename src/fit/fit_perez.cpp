@@ -12,7 +12,7 @@
 
 #include "fit_problem.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/fit/preetham_coefficients.hpp"
+#include "skylut/models/preetham_coefficients.hpp"
 #include "valley_search.hpp"
 
 namespace skylut {

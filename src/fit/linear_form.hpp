@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "skylut/fit/perez.hpp"
+#include "skylut/models/perez.hpp"
 
 /// The Perez formula relative to its zenith, rewritten so that it is linear in three of its parameters and
 /// has none of the poles at F(0, θ_s) = 0 that split the landscape of A…E into valleys. [fit.md F3]

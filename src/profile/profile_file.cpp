@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "skylut/core/errors.hpp"
-#include "toml_reader.hpp"
+#include "core/toml_reader.hpp"
 
 namespace skylut {
 

@@ -3,7 +3,7 @@
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
-#include "skylut/optics/solar_spectrum.hpp"
+#include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/sky/view_set.hpp"
 
 namespace skylut {
@@ -37,7 +37,7 @@ struct Lanes {
   std::vector<std::size_t> first;  // column of each turbidity and wavelength, and the end
 };
 
-Lanes lanes_of(const Air& air, const SkyScene& scene) {
+Lanes lanes_of(const Atmosphere& air, const SkyScene& scene) {
   Lanes lanes;
   for (const Turbidity& turbidity : scene.turbidities) {
     const double aod500 = to_aod500(turbidity, air);
@@ -85,7 +85,7 @@ std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& o
 
   // 1. The atmosphere becomes optical depths: columns for every turbidity and wavelength, more than one
   // where lines absorb.
-  const Air air(scene.profile, scene.air);
+  const Atmosphere air(scene.profile, scene.air);
   const Lanes lanes = lanes_of(air, scene);
 
   const std::vector<double> irradiance = solar_irradiance(scene);  // refuses what it cannot do early

@@ -6,7 +6,7 @@
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/optics/solar_spectrum.hpp"
+#include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/transfer/direct_beam.hpp"
 
 namespace skylut {
@@ -41,7 +41,7 @@ double band_transmittance(const Constituent& constituent, const std::vector<doub
   return sum;
 }
 
-void add_direct_beam(const Air& air, const SkyScene& scene, double aod500, SunIrradiance& result) {
+void add_direct_beam(const Atmosphere& air, const SkyScene& scene, double aod500, SunIrradiance& result) {
   const auto path = beam_path_factors(air.shells(), scene.altitudes_km[0], scene.suns[0].zenith_deg);
   result.beam_arrives = path.has_value();
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
@@ -61,7 +61,7 @@ void add_direct_beam(const Air& air, const SkyScene& scene, double aod500, SunIr
 }
 
 // Sums of the sky's radiance with the weights of each quadrature.
-void add_sky(const Air& air, const SkyScene& scene, double aod500, const SunIrradianceOptions& options,
+void add_sky(const Atmosphere& air, const SkyScene& scene, double aod500, const SunIrradianceOptions& options,
              const TransferOptions& transfer, SunIrradiance& result) {
   const double sun_deg = scene.suns[0].zenith_deg;
   const SkyQuadrature hemisphere = options.diffuse ? hemisphere_quadrature(sun_deg) : SkyQuadrature{};
@@ -108,7 +108,7 @@ std::vector<double> SunIrradiance::global_horizontal() const {
 SunIrradiance simulate_sun(const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer) {
   check(scene, options);
-  const Air air(scene.profile, scene.air);
+  const Atmosphere air(scene.profile, scene.air);
   const double aod500 = to_aod500(scene.turbidities[0], air);
   const SolarSpectrum spectrum = SolarSpectrum::load(scene.solar);
   SunIrradiance result;

@@ -97,7 +97,7 @@ Json air_json(const SkyScene& scene, const TableOrigin& origin) {
 
 // Every kind of turbidity for each value given, as far as it exists in this air.
 Json turbidities_json(const SkyScene& scene) {
-  const Air air(scene.profile, scene.air);
+  const Atmosphere air(scene.profile, scene.air);
   Json all = Json::array();
   for (const Turbidity& turbidity : scene.turbidities) {
     Json one = {{"given", turbidity.value}, {"kind", turbidity_kind_name(turbidity.kind)}};

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "skylut/colour/sky_model.hpp"
+#include "skylut/models/sky_model.hpp"
 
 namespace skylut {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "skylut/fit/perez.hpp"
+#include "skylut/models/perez.hpp"
 
 namespace skylut {
 

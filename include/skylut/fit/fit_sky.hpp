@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "skylut/colour/sky_model.hpp"
+#include "skylut/models/sky_model.hpp"
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/fit/fit_perez.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "skylut/optics/air.hpp"
+#include "skylut/atmosphere/atmosphere.hpp"
 #include "skylut/profile/profile.hpp"
 #include "skylut/sky/sky_map.hpp"
 #include "skylut/transfer/sky_radiance.hpp"
@@ -14,7 +14,7 @@ namespace skylut {
 /// What to simulate: every altitude with every turbidity under every sun.
 struct SkyScene {
   Profile profile;
-  AirOptions air;
+  AtmosphereOptions air;
   std::vector<double> altitudes_km;  ///< of the observers, above the ground, [0, 30]
   std::vector<Turbidity> turbidities;
   std::vector<Direction> suns;        ///< zenith angle [0, 96]

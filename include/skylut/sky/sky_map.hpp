@@ -7,7 +7,7 @@
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/core/wavelength_grid.hpp"
-#include "skylut/optics/turbidity.hpp"
+#include "skylut/atmosphere/turbidity.hpp"
 
 namespace skylut {
 

@@ -2,7 +2,7 @@
 
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
-#include "skylut/fit/perez.hpp"
+#include "skylut/models/perez.hpp"
 
 namespace skylut {
 

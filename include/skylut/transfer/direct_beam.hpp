@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "skylut/optics/optical_state.hpp"
+#include "skylut/scattering/optical_column.hpp"
 
 namespace skylut {
 

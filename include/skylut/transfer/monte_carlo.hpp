@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skylut/core/directions.hpp"
-#include "skylut/optics/optical_state.hpp"
+#include "skylut/scattering/optical_column.hpp"
 
 namespace skylut {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "skylut/core/directions.hpp"
-#include "skylut/optics/optical_state.hpp"
+#include "skylut/scattering/optical_column.hpp"
 #include "skylut/transfer/quality.hpp"
 
 /// The main algorithm of the transfer room: start reading here.

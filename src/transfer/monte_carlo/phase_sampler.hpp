@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "random_stream.hpp"
-#include "skylut/optics/phase_function.hpp"
+#include "skylut/scattering/phase_function.hpp"
 
 namespace skylut::monte_carlo {
 

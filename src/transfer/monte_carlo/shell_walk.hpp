@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "skylut/optics/optical_state.hpp"
+#include "skylut/scattering/optical_column.hpp"
 
 namespace skylut::monte_carlo {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "skylut/optics/optical_state.hpp"
+#include "skylut/scattering/optical_column.hpp"
 
 namespace skylut::transfer {
 

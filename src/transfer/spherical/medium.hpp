@@ -5,7 +5,7 @@
 #include "interpolation.hpp"
 #include "layer_merge.hpp"
 #include "shell_geometry.hpp"
-#include "skylut/optics/optical_state.hpp"
+#include "skylut/scattering/optical_column.hpp"
 #include "skylut/transfer/quality.hpp"
 #include "sun_depth_grid.hpp"
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "skylut/optics/phase_function.hpp"
+#include "skylut/scattering/phase_function.hpp"
 
 namespace skylut::transfer {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "skylut/compare/preetham1999.hpp"
+#include "skylut/models/preetham1999.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {

@@ -10,7 +10,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/fit/preetham_coefficients.hpp"
+#include "skylut/models/preetham_coefficients.hpp"
 
 namespace skylut {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/fit/preetham_coefficients.hpp"
+#include "skylut/models/preetham_coefficients.hpp"
 
 namespace skylut {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/optics/solar_spectrum.hpp"
+#include "skylut/atmosphere/solar_spectrum.hpp"
 
 namespace skylut {
 namespace {

@@ -69,7 +69,7 @@ TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
     SkyScene scene = scene_at(sun_deg);
     scene.air.planet_radius_km = 1e7;
     const SunIrradiance sun = simulate_sun(scene, {}, {});
-    const Air air(scene.profile, scene.air);
+    const Atmosphere air(scene.profile, scene.air);
     for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
       double expected = 0.0;
       for (const ColumnTerm& term :
@@ -97,7 +97,7 @@ TEST(SunIrradiance, DirectBeamIsTheProductOfTransmittances) {
   EXPECT_TRUE(sun.beam_arrives);
   EXPECT_TRUE(sun.diffuse_horizontal.empty());
   EXPECT_TRUE(sun.global_horizontal().empty());
-  const Air air(scene.profile, scene.air);
+  const Atmosphere air(scene.profile, scene.air);
   const auto path = beam_path_factors(air.shells(), 6.0, 80.0);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     double product = sun.extraterrestrial[i];
@@ -117,7 +117,7 @@ TEST(SunIrradiance, TheColumnsOfTheSkyTransmitTheSameBeam) {
   SkyScene scene = scene_at(60.0);
   scene.wavelengths = WavelengthGrid(450.0, 750.0, 5.0);
   const SunIrradiance sun = simulate_sun(scene, {false, 0.0}, {});
-  const Air air(scene.profile, scene.air);
+  const Atmosphere air(scene.profile, scene.air);
   const auto path = beam_path_factors(air.shells(), 0.0, 60.0);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     const double wavelength_nm = scene.wavelengths[i];

@@ -1,0 +1,59 @@
+#include "skylut/atmosphere/ground_albedo.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "skylut/core/data_directory.hpp"
+#include "skylut/core/errors.hpp"
+
+namespace skylut {
+
+namespace {
+
+constexpr const char* kFolder = "grounds";
+
+}  // namespace
+
+std::vector<std::string> GroundAlbedo::names() {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(profile_directory() / kFolder, none))
+    if (entry.path().extension() == ".csv") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+GroundAlbedo GroundAlbedo::load(const std::string& name_or_file) {
+  std::string path = name_or_file;
+  if (!names_a_csv_file(name_or_file)) {
+    const std::vector<std::string> known = names();
+    if (std::find(known.begin(), known.end(), name_or_file) == known.end())
+      throw InputError("ground albedo '{}': must be a number within 0-1, one of {}, or a .csv file",
+                       name_or_file, fmt::join(known, ", "));
+    path = data_file(std::string(kFolder) + "/" + name_or_file + ".csv").string();
+  }
+  return {name_or_file, read_spectral_curve(path, "albedo", 0.0, 1.0)};
+}
+
+void GroundAlbedo::validate() const {
+  const double lowest = curve_ ? curve_->lowest() : value_;
+  const double highest = curve_ ? curve_->highest() : value_;
+  if (!(lowest >= 0.0 && highest <= 1.0))
+    throw InputError("ground albedo {}: must lie within 0-1", lowest >= 0.0 ? highest : lowest);
+}
+
+std::string GroundAlbedo::text() const { return curve_ ? name_ : fmt::format("{}", value_); }
+
+double GroundAlbedo::at(double wavelength_nm, double band_nm) const {
+  if (!curve_) return value_;
+  if (!(wavelength_nm >= curve_->first_nm() && wavelength_nm <= curve_->last_nm()))
+    throw InputError("ground albedo {}: has no value at {} nm, only within {}-{} nm", name_, wavelength_nm,
+                     curve_->first_nm(), curve_->last_nm());
+  const double lower = std::max(curve_->first_nm(), wavelength_nm - 0.5 * band_nm);
+  const double upper = std::min(curve_->last_nm(), wavelength_nm + 0.5 * band_nm);
+  return upper > lower ? curve_->integral(lower, upper) / (upper - lower) : curve_->at(wavelength_nm);
+}
+
+}  // namespace skylut

@@ -1,0 +1,69 @@
+#include "skylut/atmosphere/solar_spectrum.hpp"
+
+#include <fmt/ranges.h>
+
+#include <array>
+#include <utility>
+
+#include "skylut/core/errors.hpp"
+#include "spectral_table.hpp"
+
+namespace skylut {
+
+namespace {
+
+// More than anything the sun sends; a file in other units would hold greater numbers.
+constexpr double kMost_W_m2_nm = 100.0;
+
+constexpr std::array<std::pair<const char*, const char*>, 3> kSpectra{{
+    {"astm-g173", "spectra/solar_astm_g173.csv"},
+    {"gueymard2003", "spectra/solar_gueymard2003.csv"},
+    {"kurucz1992", "spectra/solar_kurucz1992.csv"},
+}};
+
+}  // namespace
+
+std::vector<std::string> SolarSpectrum::names() {
+  std::vector<std::string> names;
+  for (const auto& [name, file] : kSpectra) names.emplace_back(name);
+  return names;
+}
+
+SolarSpectrum SolarSpectrum::load(const std::string& name_or_file) {
+  if (names_a_csv_file(name_or_file))
+    return SolarSpectrum(read_spectral_curve(name_or_file, "irradiance_W_m2_nm", 0.0, kMost_W_m2_nm));
+  for (const auto& [name, file] : kSpectra) {
+    if (name_or_file != name) continue;
+    std::vector<double> centre_nm;
+    std::vector<double> mean;
+    for (const std::vector<double>& row : read_spectral_table(file, 2)) {
+      centre_nm.push_back(row[0]);
+      mean.push_back(row[1]);
+    }
+    return {centre_nm, mean};
+  }
+  throw InputError("solar spectrum '{}': unknown name; expected {}, or a .csv file", name_or_file,
+                   fmt::join(names(), ", "));
+}
+
+SolarSpectrum::SolarSpectrum(const std::vector<double>& centre_nm, const std::vector<double>& mean_W_m2_nm)
+    : curve_(SpectralCurve::of_bands(centre_nm, mean_W_m2_nm)) {
+  for (std::size_t i = 0; i < centre_nm.size(); ++i)
+    if (!(mean_W_m2_nm[i] > 0.0))
+      throw InputError("solar spectrum value {} at {} nm: must be greater than 0", mean_W_m2_nm[i],
+                       centre_nm[i]);
+}
+
+double SolarSpectrum::integral_W_m2(double lower_nm, double upper_nm) const {
+  if (!(lower_nm >= curve_.first_nm() && lower_nm <= upper_nm && upper_nm <= curve_.last_nm()))
+    throw InputError("wavelengths {}-{} nm: must lie within {}-{} nm of the solar spectrum", lower_nm,
+                     upper_nm, curve_.first_nm(), curve_.last_nm());
+  return curve_.integral(lower_nm, upper_nm);
+}
+
+double SolarSpectrum::irradiance_W_m2_nm(double wavelength_nm, double band_nm) const {
+  if (!(band_nm > 0.0)) throw InputError("band of {} nm: must be greater than 0", band_nm);
+  return integral_W_m2(wavelength_nm - 0.5 * band_nm, wavelength_nm + 0.5 * band_nm) / band_nm;
+}
+
+}  // namespace skylut

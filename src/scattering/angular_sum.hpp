@@ -1,0 +1,40 @@
+#pragma once
+
+#include <complex>
+#include <map>
+#include <vector>
+
+#include "skylut/core/quadrature.hpp"
+#include "skylut/scattering/mie_sphere.hpp"
+
+namespace skylut {
+
+/// Legendre moments of the light that many spheres scatter. Spheres are sorted into classes of like size; a
+/// class sums |S1|² + |S2|² at the nodes of a Gauss-Legendre rule that is exact for every moment. [P6]
+class AngularSum {
+ public:
+  /// Rules by the number of terms of a class; they serve all wavelengths.
+  using Rules = std::map<int, Quadrature>;
+
+  /// Smallest class that takes a series of that many terms.
+  static int class_of(int terms);
+
+  static void prepare(Rules& rules, int class_terms);
+
+  /// Adds weight (|S1|² + |S2|²) of a sphere.
+  void add(const MieSphere& sphere, double weight);
+
+  /// ½ ∫ (sum) P_l dμ for l = 0 … twice the terms of the largest class.
+  /// @param rules  prepared for all classes of the spheres added
+  std::vector<double> moments(const Rules& rules) const;
+
+ private:
+  struct WeightedSphere {
+    std::vector<std::complex<double>> a;
+    std::vector<std::complex<double>> b;
+    double weight;
+  };
+  std::map<int, std::vector<WeightedSphere>> classes_;
+};
+
+}  // namespace skylut
