@@ -14,12 +14,13 @@ set(SKYLUT_USES_colour core)
 set(SKYLUT_USES_sky core profile atmosphere transfer colour)
 set(SKYLUT_USES_models core profile atmosphere colour sky)
 set(SKYLUT_USES_fit core colour models)
-set(SKYLUT_USES_table core site colour sky fit)
+set(SKYLUT_USES_table core site colour sky models fit)
 set(SKYLUT_USES_export core colour sky)
 set(SKYLUT_USES_compare core colour models fit table)
-set(SKYLUT_USES_report core atmosphere table)
-set(SKYLUT_USES_cases core atmosphere transfer)
-set(SKYLUT_USES_cli core site atmosphere transfer sky fit table export compare report cases)
+set(SKYLUT_USES_report core scattering atmosphere table)
+set(SKYLUT_USES_cases core scattering atmosphere transfer)
+set(SKYLUT_USES_cli
+  core site profile scattering atmosphere transfer sky models fit table export compare report cases)
 
 # Libraries that whoever links the room needs too; a header-only library that only its sources use is in
 # SKYLUT_BUILDS_WITH.
