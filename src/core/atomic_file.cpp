@@ -34,7 +34,8 @@ int descriptor_named(fs::path path) {
 
 // Nothing to replace: a pipe, a device, or a descriptor that is open already.
 void write_directly(const fs::path& path, int open_descriptor, std::string_view text) {
-  const int descriptor = open_descriptor >= 0 ? ::dup(open_descriptor) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int descriptor =
+      open_descriptor >= 0 ? ::dup(open_descriptor) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) throw WorkError("{}: cannot write: {}", path.string(), std::strerror(errno));
   try {
     write_all(descriptor, text, path);

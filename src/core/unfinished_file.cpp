@@ -26,9 +26,9 @@ constexpr std::string_view kEnding = ".tmp";
 constexpr std::size_t kDigits = 16;
 constexpr std::size_t kLongestName = 255;  // NAME_MAX of Linux's file systems
 
-// The one thing that the library keeps for the whole process: the names of temporary files under way, in fixed
-// storage, because a signal handler may read nothing else. When all entries are taken a file is merely not
-// removed by a signal.
+// The one thing that the library keeps for the whole process: the names of temporary files under way, in
+// fixed storage, because a signal handler may read nothing else. When all entries are taken a file is merely
+// not removed by a signal.
 struct ListEntry {
   std::atomic<bool> taken{false};
   std::atomic<bool> named{false};
@@ -58,7 +58,9 @@ void strike_from_list(int index) {
   throw WorkError("{}: cannot write: {}", path.string(), std::strerror(error));
 }
 
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
 
 // What the names of a file's temporary files begin with; a long name is cut so that the whole fits.
 std::string beginning_of_name(const fs::path& final_path) {
@@ -78,7 +80,8 @@ void clear_if_left_over(const fs::path& path) noexcept {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
   struct stat status {};
-  const bool ours = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+  const bool ours =
+      ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
   if (ours && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
   ::close(descriptor);
 }
@@ -120,7 +123,8 @@ void UnfinishedFile::rename_to_final() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(final_path_, errno);
   if (::rename(path_.c_str(), final_path_.c_str()) != 0) fail(final_path_, errno);
   renamed_ = true;
-  // The new name reaches the disk with its folder; a file system that cannot flush one has the file all the same.
+  // The new name reaches the disk with its folder; a file system that cannot flush one has the file all the
+  // same.
   const int folder = ::open(folder_of(final_path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;
   ::fsync(folder);
@@ -137,7 +141,8 @@ void clear_leftovers(const fs::path& final_path) noexcept {
   try {
     const std::string beginning = beginning_of_name(final_path);
     std::error_code error;
-    for (fs::directory_iterator at(folder_of(final_path), error), end; !error && at != end; at.increment(error))
+    for (fs::directory_iterator at(folder_of(final_path), error), end; !error && at != end;
+         at.increment(error))
       if (is_temporary_name(at->path().filename().native(), beginning)) clear_if_left_over(at->path());
   } catch (const std::exception&) {
     // Out of memory for a name: what is left over stays for the next run.

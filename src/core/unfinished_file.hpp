@@ -6,12 +6,13 @@
 
 namespace skylut {
 
-/// A temporary file under way: removed at the end of its life unless it was renamed. While it lives it holds a
-/// lock (flock), so that another run can tell it from the leftover of a killed one, and stands in the list that
-/// remove_unfinished_files() reads.
+/// A temporary file under way: removed at the end of its life unless it was renamed. While it lives it holds
+/// a lock (flock), so that another run can tell it from the leftover of a killed one, and stands in the list
+/// that remove_unfinished_files() reads.
 class UnfinishedFile {
  public:
-  /// Creates `path`, which must not exist: a file or link of that name is an error, not overwritten or followed.
+  /// Creates `path`, which must not exist: a file or link of that name is an error, not overwritten or
+  /// followed.
   /// @throws WorkError  "<final_path>: cannot write: ..."
   UnfinishedFile(std::filesystem::path path, const std::filesystem::path& final_path);
   ~UnfinishedFile();
@@ -34,8 +35,8 @@ class UnfinishedFile {
 /// `<name>.skylut-<16 hex digits>.tmp` beside the final path; the digits are random.
 std::filesystem::path temporary_path(const std::filesystem::path& final_path);
 
-/// Removes temporary files of this final path that no process is writing any more. Links and files of other users
-/// stay.
+/// Removes temporary files of this final path that no process is writing any more. Links and files of other
+/// users stay.
 void clear_leftovers(const std::filesystem::path& final_path) noexcept;
 
 /// Writes all of it. @throws WorkError  "<path>: cannot write: ..."

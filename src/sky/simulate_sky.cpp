@@ -121,8 +121,8 @@ std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
         const std::size_t band = load * wavelengths + i;
         double radiance = 0.0;
         for (std::size_t lane = lanes.first[band]; lane < lanes.first[band + 1]; ++lane)
-          radiance += lanes.weights[lane] * double{sky.at(lane, observer, views.sun_index(sun),
-                                                          views.view_index(direction, sun))};
+          radiance += lanes.weights[lane] *
+                      double{sky.at(lane, observer, views.sun_index(sun), views.view_index(direction, sun))};
         map.radiance.push_back(static_cast<float>(irradiance[i] * radiance));
       }
     add_colours(map, weights);

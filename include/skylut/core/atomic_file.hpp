@@ -5,11 +5,12 @@
 
 namespace skylut {
 
-/// Writes a file so that it appears under its name only when it is complete and on the disk: the bytes go to a
-/// temporary file beside it (`<name>.skylut-<16 hex digits>.tmp`, new, never through a link), which takes the
-/// name when it is done and is removed when anything fails. A file that is replaced hands on its permissions, a
-/// new one has those of the umask; a symbolic link of that name is replaced, its target untouched. Temporary
-/// files of the same name that a killed run has left are cleared. A pipe, a device or an open descriptor
+/// Writes a file so that it appears under its name only when it is complete and on the disk: the bytes go to
+/// a temporary file beside it (`<name>.skylut-<16 hex digits>.tmp`, new, never through a link), which takes
+/// the name when it is done and is removed when anything fails. A file that is replaced hands on its
+/// permissions, a new one has those of the umask; a symbolic link of that name is replaced, its target
+/// untouched. Temporary files of the same name that a killed run has left are cleared. A pipe, a device or an
+/// open descriptor
 /// (/dev/stdout) is written to directly.
 /// @throws WorkError  naming the file if it cannot be written or renamed (no such folder, no permission, disk
 ///                    full, a directory in the way)

@@ -21,8 +21,8 @@ template <class A, class B>
 #if defined(SKYLUT_CHECKS) || !defined(NDEBUG)
 #define SKYLUT_CHECK(condition) \
   ((condition) ? static_cast<void>(0) : ::skylut::detail::check_failed(__FILE__, __LINE__, #condition, ""))
-#define SKYLUT_CHECK_OPERANDS(a, comparison, b)                                                       \
-  (((a)comparison(b)) ? static_cast<void>(0)                                                          \
+#define SKYLUT_CHECK_OPERANDS(a, comparison, b) \
+  (((a)comparison(b)) ? static_cast<void>(0)    \
                       : ::skylut::detail::check_failed(__FILE__, __LINE__, #a " " #comparison " " #b, a, b))
 #else
 #define SKYLUT_CHECK(condition) static_cast<void>(0)

@@ -32,9 +32,12 @@ class AtomicFile : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   std::ptrdiff_t files_in_folder() const { return std::distance(fs::directory_iterator(folder_), {}); }
-  void put(const fs::path& path, const std::string& text) const { std::ofstream(path, std::ios::binary) << text; }
+  void put(const fs::path& path, const std::string& text) const {
+    std::ofstream(path, std::ios::binary) << text;
+  }
 
-  const fs::path folder_ = fs::temp_directory_path() / ("skylut_atomic_file_test." + std::to_string(::getpid()));
+  const fs::path folder_ =
+      fs::temp_directory_path() / ("skylut_atomic_file_test." + std::to_string(::getpid()));
 };
 
 TEST_F(AtomicFile, WritesTheTextAndNothingElse) {
@@ -144,7 +147,8 @@ TEST_F(AtomicFile, WritersOfOneNameDoNotMix) {
   std::array<std::thread, 3> writers;
   for (std::size_t i = 0; i < writers.size(); ++i)
     writers[i] = std::thread([this, letter = kLetters[i]] {
-      for (int round = 0; round < 20; ++round) write_text_atomically(folder_ / "a.txt", std::string(kSize, letter));
+      for (int round = 0; round < 20; ++round)
+        write_text_atomically(folder_ / "a.txt", std::string(kSize, letter));
     });
   for (std::thread& writer : writers) writer.join();
   const std::string text = text_of(folder_ / "a.txt");
