@@ -7,10 +7,11 @@
 #include <filesystem>
 
 #include "aerosol_component.hpp"
+#include "core/toml_reader.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/data_directory.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
-#include "core/toml_reader.hpp"
 
 namespace skylut {
 
@@ -91,9 +92,9 @@ GivenOptics read_optics(const TomlReader& reader) {
   reader.allow_only({"angstrom_exponent", "wavelength_nm", "single_scattering_albedo", "asymmetry"});
   GivenOptics optics;
   optics.angstrom_exponent = reader.number("angstrom_exponent");
-  if (!(optics.angstrom_exponent >= -1.0 && optics.angstrom_exponent <= 4.0))
-    reader.refuse("angstrom_exponent",
-                  fmt::format("is {}; must lie within -1 to 4", optics.angstrom_exponent));
+  if (const Range& range = domain::kAngstromExponent; !range.holds(optics.angstrom_exponent))
+    reader.refuse("angstrom_exponent", fmt::format("is {}; must lie within {} to {}",
+                                                   optics.angstrom_exponent, range.lowest, range.highest));
   optics.wavelength_nm = reader.numbers("wavelength_nm");
   optics.single_scattering_albedo = reader.numbers("single_scattering_albedo");
   optics.asymmetry = reader.numbers("asymmetry");

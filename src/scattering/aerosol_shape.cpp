@@ -5,6 +5,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -19,11 +20,8 @@ double mixed_below(const AerosolShape& shape, double z) {
 
 // Extinction of the table at an altitude inside piece i.
 double table_value(const AerosolShape& shape, std::size_t i, double z) {
-  const double lower = shape.relative_extinction[i];
-  const double upper = shape.relative_extinction[i + 1];
   const double part = (z - shape.altitude_km[i]) / (shape.altitude_km[i + 1] - shape.altitude_km[i]);
-  if (lower > 0.0 && upper > 0.0) return lower * std::pow(upper / lower, part);
-  return lower + part * (upper - lower);
+  return log_linear_or_linear(shape.relative_extinction[i], shape.relative_extinction[i + 1], part);
 }
 
 // ∫ of the table below an altitude, every piece in closed form.
@@ -51,9 +49,7 @@ double haze_value(const AerosolShape& shape, double z) {
   if (shape.altitude_km.empty())
     return std::exp(-std::max(0.0, z - shape.mixed_layer_km) / shape.haze_scale_height_km);
   if (z > shape.altitude_km.back()) return 0.0;
-  const auto above = std::upper_bound(shape.altitude_km.begin() + 1, shape.altitude_km.end() - 1, z) -
-                     shape.altitude_km.begin();
-  return table_value(shape, static_cast<std::size_t>(above) - 1, z);
+  return table_value(shape, piece_of(shape.altitude_km, z), z);
 }
 
 // ∫₀^z of a Gaussian of unit area.

@@ -29,8 +29,9 @@ class SolarSpectrum {
   /// @throws InputError  for fewer than two bands, unequal steps or a value that is not positive
   SolarSpectrum(const std::vector<double>& centre_nm, const std::vector<double>& mean_W_m2_nm);
 
-  /// Mean irradiance over [wavelength - band/2, wavelength + band/2], W m⁻² nm⁻¹.
-  /// @throws InputError  for a band that is not positive or leaves the spectrum
+  /// Mean irradiance over [wavelength - band/2, wavelength + band/2], W m⁻² nm⁻¹; where the band reaches
+  /// beyond an end of the spectrum, over the part inside.
+  /// @throws InputError  for a band that is not positive, or a wavelength outside the spectrum
   double irradiance_W_m2_nm(double wavelength_nm, double band_nm) const;
 
   /// Irradiance between two wavelengths, W/m². @throws InputError if they leave the spectrum.

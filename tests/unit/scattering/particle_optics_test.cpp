@@ -156,5 +156,21 @@ TEST(TabulatedPhaseFunction, LooksUpTheSeries) {
   EXPECT_NEAR(forward, table.moment(1), 1e-4);
 }
 
+// Clear spheres much smaller than the wavelength scatter a little more steeply than λ⁻⁴ where n > √2, by the
+// next term of Rayleigh's series. Exponents of an independent Mie sum over 800 radii; between our own
+// wavelengths extinction is interpolated.
+TEST(ParticleOptics, ClearAitkenParticlesAreSteeperThanRayleigh) {
+  AerosolDescription aitken;
+  aitken.name = "aitken";
+  aitken.components.push_back(lognormal(3000.0, 0.02, 1.2, 0.1, 1.53, 0.0));
+  aitken.components[0].size.r_min_um = 0.0005;
+  const AerosolOptics optics = aerosol_optics(aitken);
+  EXPECT_NO_THROW(optics.validate());
+  EXPECT_NEAR(optics.angstrom_exponent_between(300.0, 350.0), 4.0102, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(350.0, 500.0), 4.0149, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(440.0, 870.0), 4.0103, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(500.0, 800.0), 4.0099, 2e-3);
+}
+
 }  // namespace
 }  // namespace skylut
