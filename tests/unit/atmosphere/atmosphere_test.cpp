@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/gas_cross_sections.hpp"
+#include "skylut/core/errors.hpp"
 #include "skylut/scattering/rayleigh.hpp"
 
 namespace skylut {
@@ -116,7 +116,7 @@ TEST(Atmosphere, DepthsAboveAnAltitude) {
 TEST(Atmosphere, OzoneDepth) {
   const Atmosphere air(load_profile("ussa1976"), {});
   const CrossSection ozone = load_ozone_cross_section();
-  const double mean_K = air.profile().quantities.front().ozone_temperature_K;
+  const double mean_K = level_quantities(air.profile()).levels.front().ozone_temperature_K;
   for (double wavelength_nm : {500.0, 550.0, 600.0, 700.0}) {
     const double expected = 343.8 * kDobsonUnit_per_m2 * ozone.at_m2(wavelength_nm, mean_K);
     EXPECT_NEAR(depth_of(air.optical_depths(wavelength_nm, 0.0), "ozone") / expected, 1.0, 3e-3)

@@ -68,7 +68,7 @@ TEST(UsStandard1976, AirColumnIsPressureOverWeight) {
   }
   // The 1976 gas constant is 1.7e-5 above SI 2019's k N_A.
   EXPECT_NEAR(air_column_per_m2(profile, 0.0, 100.0) / column, 1.0, 5e-5);
-// That is p0 N_A / (M g) with gravity at the mass-weighted mean altitude ∫ p dz / p0 = 7.3 km.
+  // That is p0 N_A / (M g) with gravity at the mass-weighted mean altitude ∫ p dz / p0 = 7.3 km.
   EXPECT_NEAR(column / (101325.0 * kAvogadro_per_mol / (28.9644e-3 * gravity(7.3))), 1.0, 1e-4);
 }
 
@@ -79,7 +79,7 @@ TEST(UsStandard1976, GasColumns) {
   };
   EXPECT_NEAR(column("ozone") / kDobsonUnit_per_m2, 343.8, 1e-9);
   // AFGL U.S. standard: 1.417 g/cm² of water (logarithmic between levels), 5.57e15 cm⁻² of NO2.
-  EXPECT_NEAR(profile.quantities.front().precipitable_water_cm, 1.417, 0.003);
+  EXPECT_NEAR(level_quantities(profile).levels.front().precipitable_water_cm, 1.417, 0.003);
   EXPECT_NEAR(column("nitrogen_dioxide"), 5.57e19, 0.05e19);
   EXPECT_NEAR(column("oxygen") / air_column_per_m2(profile, 0.0, 100.0), 0.209476, 1e-4);
 }
@@ -87,7 +87,7 @@ TEST(UsStandard1976, GasColumns) {
 // Most ozone lies above 15 km, and the physical profile knows it.
 TEST(UsStandard1976, PhysicalQuantities) {
   const Profile profile = load_profile("ussa1976");
-  const auto& levels = profile.quantities;
+  const std::vector<LevelQuantities> levels = level_quantities(profile).levels;
   ASSERT_GT(levels.size(), 15u);
   EXPECT_NEAR(levels[0].ozone_atm_cm, 0.3438, 1e-9);
   EXPECT_GT(levels[15].ozone_atm_cm, 0.7 * levels[0].ozone_atm_cm);
