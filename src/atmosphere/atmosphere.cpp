@@ -53,7 +53,7 @@ void check_band(double band_nm) {
 
 }  // namespace
 
-Atmosphere::Atmosphere(Profile profile, AtmosphereOptions options)
+Atmosphere::Atmosphere(const Context& context, Profile profile, AtmosphereOptions options)
     : profile_(std::move(profile)), options_(std::move(options)) {
   check_options(options_);
   scale_columns();
@@ -62,11 +62,11 @@ Atmosphere::Atmosphere(Profile profile, AtmosphereOptions options)
 
   shells_.planet_radius_km = options_.planet_radius_km;
   shells_.levels_km = layer_levels_km(profile_.altitude_km.back());
-  absorbers_.push_back({{"ozone", "ozone", load_ozone_cross_section()}, {}});
-  absorbers_.push_back({{"no2", "nitrogen_dioxide", load_nitrogen_dioxide_cross_section()}, {}});
-  absorbers_.push_back({{"o2_o2", "oxygen", load_oxygen_pair_cross_section(), true}, {}});
-  line_absorbers_.push_back({"oxygen", "oxygen", load_oxygen_lines(), {}});
-  line_absorbers_.push_back({"water_vapour", "water_vapour", load_water_lines(), {}});
+  absorbers_.push_back({{"ozone", "ozone", load_ozone_cross_section(context)}, {}});
+  absorbers_.push_back({{"no2", "nitrogen_dioxide", load_nitrogen_dioxide_cross_section(context)}, {}});
+  absorbers_.push_back({{"o2_o2", "oxygen", load_oxygen_pair_cross_section(context), true}, {}});
+  line_absorbers_.push_back({"oxygen", "oxygen", load_oxygen_lines(context), {}});
+  line_absorbers_.push_back({"water_vapour", "water_vapour", load_water_lines(context), {}});
   for (std::size_t layer = 0; layer + 1 < shells_.levels_km.size(); ++layer) {
     const double lower_km = shells_.levels_km[layer];
     const double upper_km = shells_.levels_km[layer + 1];

@@ -1,7 +1,7 @@
 #include "spectral_table.hpp"
 
+#include "skylut/core/context.hpp"
 #include "skylut/core/csv.hpp"
-#include "skylut/core/data_directory.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -25,8 +25,9 @@ std::vector<std::vector<double>> read_rows(const std::string& path, std::size_t 
 
 }  // namespace
 
-std::vector<std::vector<double>> read_spectral_table(const std::string& relative_path, std::size_t columns) {
-  const std::string path = data_file(relative_path).string();
+std::vector<std::vector<double>> read_spectral_table(const Context& context, const std::string& relative_path,
+                                                     std::size_t columns) {
+  const std::string path = context.data_file(relative_path).string();
   try {
     return read_rows(path, columns);
   } catch (const InputError& error) {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "skylut/core/legendre.hpp"
+
 namespace skylut {
 
 namespace {

@@ -9,6 +9,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// One data column of a profile file as it was read: what it is, in which unit, and from where.
 struct ProfileColumn {
   std::string name;            ///< key in the file: altitude, temperature, ozone, …
@@ -59,10 +61,10 @@ struct Profile {
 ///                     name, broken TOML, unknown key or unit, missing column, NaN, duplicate
 ///                     altitude, negative density, top below 10 km, pressures that ask for air twice or
 ///                     half as warm as the temperatures
-Profile load_profile(const std::string& name_or_path);
+Profile load_profile(const Context& context, const std::string& name_or_path);
 
 /// Names of the profiles that come with skylut, sorted.
-std::vector<std::string> profile_names();
+std::vector<std::string> profile_names(const Context& context);
 
 /// Temperature, pressure and number density of the air at one altitude.
 struct AirState {

@@ -11,6 +11,7 @@
 #include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
 #include "skylut/scattering/rayleigh.hpp"
+#include "support/test_context.hpp"
 
 // Profiles as a balloon or a textbook gives them: few levels, from a hill, ended where the balloon burst.
 namespace skylut {
@@ -41,7 +42,7 @@ class Sounding : public testing::Test {
                          << column("temperature", "K", levels.temperature_K)
                          << column("pressure", "hPa", levels.pressure_hPa)
                          << column("ozone", "ppmv", levels.ozone_ppmv);
-    return load_profile(file_.string());
+    return load_profile(test::context, file_.string());
   }
 
   fs::path file_;
@@ -66,7 +67,7 @@ double rayleigh_depth(const Profile& profile, double wavelength_nm) {
 // τ = σ p0/(m g): air of the standard's ground pressure weighs the same however few levels tell of it. What
 // is left is g at the mean altitude of the air, which the levels' temperatures move by some 0.2 km.
 TEST_F(Sounding, WeightFixesTheColumn) {
-  const Profile standard = load_profile("ussa1976");
+  const Profile standard = load_profile(test::context, "ussa1976");
   EXPECT_NEAR(rayleigh_depth(standard, 500.0), 0.1434, 5e-5);
   for (const Levels& levels : {kTwoLevels, kThreeLevels, kBurst}) {
     const Profile profile = load(levels);
@@ -95,8 +96,8 @@ TEST_F(Sounding, PressuresTellTheTemperatureBetweenLevels) {
 }
 
 TEST_F(Sounding, ProfilesThatComeWithSkylutAreInBalance) {
-  for (const std::string& name : profile_names()) {
-    const Profile profile = load_profile(name);
+  for (const std::string& name : profile_names(test::context)) {
+    const Profile profile = load_profile(test::context, name);
     EXPECT_LT(std::abs(hydrostatic_mismatch(profile, 0.0)), 0.0025) << name;
     EXPECT_TRUE(profile.notes.empty()) << name;
     EXPECT_FALSE(profile.ground_height_km) << name;
@@ -114,7 +115,7 @@ TEST_F(Sounding, FromAHill) {
   EXPECT_NEAR(air_state(profile, 8.17).pressure_hPa, 265.0, 1e-9);
   EXPECT_NEAR(profile.described_top_km, 28.17, 1e-12);
   // The column weighs 815 hPa: 815/1013.25 of the standard's, with g 0.04 % less for air 1.3 km higher.
-  EXPECT_NEAR(air_above_per_m2(profile, 0.0) / air_above_per_m2(load_profile("ussa1976"), 0.0),
+  EXPECT_NEAR(air_above_per_m2(profile, 0.0) / air_above_per_m2(load_profile(test::context, "ussa1976"), 0.0),
               815.0 / 1013.25 * 1.0004, 5e-4);
 }
 
@@ -135,7 +136,7 @@ TEST_F(Sounding, GroundOfTheFile) {
 // above 30 km is the standard's.
 TEST_F(Sounding, ContinuesFromTheBurst) {
   const Profile profile = load(kBurst);
-  const Profile standard = load_profile("ussa1976");
+  const Profile standard = load_profile(test::context, "ussa1976");
   EXPECT_EQ(profile.described_top_km, 25.0);
   EXPECT_EQ(profile.altitude_km.back(), 100.0);
   EXPECT_NEAR(air_state(profile, 40.0).pressure_hPa / air_state(standard, 40.0).pressure_hPa,
@@ -160,7 +161,7 @@ TEST_F(Sounding, LowEndDoesNotScaleTheStratosphere) {
 // A mountain of 4205 m under the standard atmosphere: 600.3 hPa (eq. 33a at 4202 geopotential m), an eighth
 // of the water, and at air mass 2 a Rayleigh transmittance of 0.7509^(600.3/1013.25) = 0.844.
 TEST(RaisedTo, AMountain) {
-  const Profile standard = load_profile("ussa1976");
+  const Profile standard = load_profile(test::context, "ussa1976");
   const Profile mountain = raised_to(standard, 4.205);
   EXPECT_EQ(mountain.altitude_km.front(), 0.0);
   EXPECT_GE(mountain.altitude_km.back(), 100.0);
@@ -189,7 +190,7 @@ TEST(RaisedTo, AMountain) {
 }
 
 TEST(RaisedTo, SeaLevelChangesNothing) {
-  const Profile standard = load_profile("ussa1976");
+  const Profile standard = load_profile(test::context, "ussa1976");
   const Profile same = raised_to(standard, 0.0);
   EXPECT_EQ(same.altitude_km, standard.altitude_km);
   EXPECT_EQ(same.pressure_hPa, standard.pressure_hPa);
@@ -198,16 +199,16 @@ TEST(RaisedTo, SeaLevelChangesNothing) {
 
 // The Dead Sea's shore, -430 m: the standard's formulas there give 1066 hPa and 290.9 K.
 TEST(RaisedTo, BelowSeaLevel) {
-  const Profile shore = raised_to(load_profile("ussa1976"), -0.43);
+  const Profile shore = raised_to(load_profile(test::context, "ussa1976"), -0.43);
   EXPECT_NEAR(shore.temperature_K.front(), 290.945, 0.005);
   EXPECT_NEAR(shore.pressure_hPa.front(), 1013.25 * std::pow(1.0 + 6.5 * 0.43 / 288.15, 5.2559), 0.05);
   EXPECT_EQ(air_state(shore, 0.43).pressure_hPa, 1013.25);
-  EXPECT_NEAR(air_above_per_m2(shore, 0.0) / air_above_per_m2(load_profile("ussa1976"), 0.0),
+  EXPECT_NEAR(air_above_per_m2(shore, 0.0) / air_above_per_m2(load_profile(test::context, "ussa1976"), 0.0),
               shore.pressure_hPa.front() / 1013.25, 2e-4);
 }
 
 TEST(RaisedTo, AMountainAboveTheProfilesAerosol) {
-  Profile profile = load_profile("ussa1976");
+  Profile profile = load_profile(test::context, "ussa1976");
   profile.relative_aerosol_extinction.assign(profile.altitude_km.size(), 0.0);
   profile.relative_aerosol_extinction[0] = 1.0;
   EXPECT_FALSE(raised_to(profile, 0.5).relative_aerosol_extinction.empty());
