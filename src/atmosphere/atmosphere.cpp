@@ -169,7 +169,7 @@ Atmosphere::AerosolDepth Atmosphere::aerosol_between(double lower_km, double upp
   return {(aod500 - layer500) * aerosol.relative_depth(wavelength_nm) *
               aerosol.shape.haze_between(lower_km, upper_km, top_km),
           layer500 * aerosol.stratospheric_optics().relative_depth(wavelength_nm) *
-              aerosol.shape.layer_between(lower_km, upper_km, top_km)};
+              aerosol.shape.stratospheric_between(lower_km, upper_km, top_km)};
 }
 
 void Atmosphere::check(double wavelength_nm, double aod500) {
@@ -329,7 +329,7 @@ double Atmosphere::aerosol_extinction_at_ground_per_km(double wavelength_nm, dou
   return (aod500 - layer500) * aerosol.relative_depth(wavelength_nm) *
              aerosol.shape.haze_density_per_km(0.0, top_km) +
          layer500 * aerosol.stratospheric_optics().relative_depth(wavelength_nm) *
-             aerosol.shape.layer_density_per_km(0.0, top_km);
+             aerosol.shape.stratospheric_density_per_km(0.0, top_km);
 }
 
 double Atmosphere::aerosol_depth(double wavelength_nm, double aod500) const {

@@ -8,7 +8,6 @@
 
 #include "aerosol_component.hpp"
 #include "core/toml_reader.hpp"
-#include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
@@ -150,16 +149,6 @@ void read_stratosphere(const Context& context, const TomlReader& reader, Aerosol
 }
 
 }  // namespace
-
-double SizeDistribution::per_log_radius(double radius_um) const {
-  if (radius_um < r_min_um || radius_um > r_max_um) return 0.0;
-  if (kind == Kind::power_law)
-    return exponent * std::pow(radius_um, -exponent) /
-           (std::pow(r_min_um, -exponent) - std::pow(r_max_um, -exponent));
-  const double width = std::log(sigma_g);
-  const double distance = std::log(radius_um / mode_radius_um) / width;
-  return std::exp(-0.5 * distance * distance) / (std::sqrt(2.0 * kPi) * width);
-}
 
 AerosolDescription load_aerosol_description(const Context& context, const std::string& name_or_path,
                                             std::optional<double> humidity_percent) {

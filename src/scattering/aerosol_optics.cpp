@@ -17,7 +17,7 @@ namespace {
 constexpr double kReferenceWavelength_nm = 500.0;
 
 // Where Mie's theory is evaluated. 50 nm: phase functions halfway between are within 1 % of the mixture of
-// their neighbours (tests/unit/optics/aerosol_presets_test.cpp).
+// their neighbours (tests/unit/scattering/aerosol_presets_test.cpp).
 const std::vector<double> kWavelengths_nm{300.0, 350.0, 400.0, 450.0, 500.0, 550.0, 600.0,
                                           650.0, 700.0, 750.0, 800.0, 900.0, 1000.0};
 
@@ -134,16 +134,17 @@ double AerosolOptics::angstrom_exponent_between(double first_nm, double second_n
 }
 
 double AerosolOptics::depth(double at_nm, double aod500) const {
-  const double layer = aod500 * shape.stratospheric_share(aod500);
-  return layer * stratospheric_optics().relative_depth(at_nm) + (aod500 - layer) * relative_depth(at_nm);
+  const double stratospheric = aod500 * shape.stratospheric_share(aod500);
+  return stratospheric * stratospheric_optics().relative_depth(at_nm) +
+         (aod500 - stratospheric) * relative_depth(at_nm);
 }
 
 double AerosolOptics::aod500_of_depth(double at_nm, double depth_there) const {
   // Linear on either side of the load that is stratospheric altogether.
-  const double layer = stratospheric_optics().relative_depth(at_nm);
+  const double stratospheric = stratospheric_optics().relative_depth(at_nm);
   const double knee = shape.stratospheric_aod500;
-  if (depth_there <= knee * layer) return depth_there / layer;
-  return knee + (depth_there - knee * layer) / relative_depth(at_nm);
+  if (depth_there <= knee * stratospheric) return depth_there / stratospheric;
+  return knee + (depth_there - knee * stratospheric) / relative_depth(at_nm);
 }
 
 AerosolOptics aerosol_optics(const Context& context, const AerosolDescription& description) {
