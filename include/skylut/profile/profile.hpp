@@ -32,6 +32,7 @@ struct Profile {
   std::string name;
   std::string description;
   std::string source;
+  std::string file;               ///< that it was read from; empty: none
   double described_top_km = 0.0;  ///< highest level of the file, above the ground; above it, continued
   /// Of the ground above sea level, if the file says it; without, the ground is at sea level unless a place
   /// says otherwise.

@@ -24,6 +24,7 @@ struct AerosolDescription {
   std::string name;
   std::string description;
   std::string source;
+  std::string file;                          ///< that it was read from; empty: none
   std::optional<double> humidity_percent;    ///< of components that take up water
   std::vector<AerosolComponent> components;  ///< mixed externally; or …
   std::optional<GivenOptics> optics;         ///< … this

@@ -26,6 +26,7 @@ struct SizeDistribution {
 struct AerosolComponent {
   std::string name;
   std::string source;
+  std::string file;             ///< of its own that it was read from; empty: none
   double number_per_cm3 = 1.0;  ///< relative to the other components
   SizeDistribution size;
   std::vector<double> wavelength_nm;  ///< ascending
