@@ -11,7 +11,7 @@ check_pie_supported()
 add_library(skylut_compile_options INTERFACE)
 target_compile_options(skylut_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wconversion -Wsign-conversion
-  -Wdouble-promotion $<$<BOOL:${SKYLUT_WERROR}>:-Werror>)
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:SKYLUT_PROMOTES>>>:-Wdouble-promotion> $<$<BOOL:${SKYLUT_WERROR}>:-Werror>)
 target_compile_options(skylut_compile_options INTERFACE
   # Results must not depend on the machine: no contraction of a*b+c into fused operations.
   -ffp-contract=off

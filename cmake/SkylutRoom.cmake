@@ -31,6 +31,8 @@ function(skylut_test name)
   add_executable(${target} ${name}.cpp)
   target_link_libraries(${target} PRIVATE ${ARGN} skylut_compile_options GTest::gtest_main)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  # Tests compare the solver's floats with exact doubles: there the promotion is what is meant.
+  set_target_properties(${target} PROPERTIES SKYLUT_PROMOTES ON)
   target_compile_definitions(${target} PRIVATE
     SKYLUT_TEST_PROFILES="${PROJECT_SOURCE_DIR}/profiles"
     SKYLUT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"

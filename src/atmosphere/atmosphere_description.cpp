@@ -30,6 +30,10 @@ Atmosphere build_atmosphere(const Context& context, const AtmosphereDescription&
     options.planet_radius_km = radius_of_curvature_km(*description.place);
   }
   Profile profile = load_profile(context, description.profile);
+  // A mountain has a mountain's air: where neither the pressure is given nor the profile knows its own ground, the
+  // place's height is where the air begins.
+  if (description.place && !description.surface_pressure_hPa && !profile.ground_height_km)
+    profile = raised_to(profile, 1e-3 * description.place->height_m);
   options.aerosol = load_aerosol(context, description.aerosol, description.humidity_percent);
   return {context, std::move(profile), std::move(options)};
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -69,7 +70,16 @@ double SolarSpectrum::integral_W_m2(double lower_nm, double upper_nm) const {
 
 double SolarSpectrum::irradiance_W_m2_nm(double wavelength_nm, double band_nm) const {
   if (!(band_nm > 0.0)) throw InputError("band of {} nm: must be greater than 0", band_nm);
-  return integral_W_m2(wavelength_nm - 0.5 * band_nm, wavelength_nm + 0.5 * band_nm) / band_nm;
+  if (!(wavelength_nm >= curve_.first_nm() && wavelength_nm <= curve_.last_nm()))
+    throw InputError("wavelength {} nm: must lie within {}-{} nm of the solar spectrum", wavelength_nm,
+                     curve_.first_nm(), curve_.last_nm());
+  const double lower_nm = wavelength_nm - 0.5 * band_nm;
+  const double upper_nm = wavelength_nm + 0.5 * band_nm;
+  if (lower_nm >= curve_.first_nm() && upper_nm <= curve_.last_nm())
+    return curve_.integral(lower_nm, upper_nm) / band_nm;
+  const double first_nm = std::max(lower_nm, curve_.first_nm());
+  const double last_nm = std::min(upper_nm, curve_.last_nm());
+  return curve_.integral(first_nm, last_nm) / (last_nm - first_nm);
 }
 
 }  // namespace skylut

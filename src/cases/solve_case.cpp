@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "case_layers.hpp"
-#include "skylut/core/json_reader.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/json_reader.hpp"
 #include "skylut/core/version.hpp"
 #include "skylut/transfer/monte_carlo.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
@@ -216,7 +216,7 @@ double truncation_error(const AltitudeCase& read, const SkyRequest& request, Tra
 
 Json solve_shells(const JsonReader& file, const SolveOptions& options) {
   AltitudeCase read = read_altitude_schema(file);
-  read.shells.planet_radius_km = file.at("planet_radius_km").number(1.0, 1e9, "within 1-1e9 km");
+  read.shells.planet_radius_km = file.at("planet_radius_km").number(domain::kPlanetRadius_km);
   if (read.sun_zenith_deg > kHighestSunZenith_deg)
     file.at("sun_zenith_deg")
         .refuse(fmt::format("{} must lie within 0-{} in spherical shells", read.sun_zenith_deg,

@@ -42,7 +42,10 @@ void SceneOptions::add_to(CLI::App& command) {
       ->group(sun);
 
   const std::string computing = "Computing";
-  command.add_option("--wavelengths-nm", wavelengths_, "first, last and step")
+  command
+      .add_option("--wavelengths-nm", wavelengths_,
+                  "first, last and step: each the middle of a band; the first and last are clipped at the "
+                  "spectrum's ends")
       ->capture_default_str()
       ->type_name("LO:HI:STEP")
       ->group(computing);

@@ -7,6 +7,7 @@
 #include "skylut/core/context.hpp"
 #include "skylut/core/csv.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -64,14 +65,11 @@ ColourMatching ColourMatching::load(const Context& context) {
 }
 
 Xyz ColourMatching::at(double wavelength_nm) const {
-  const auto above = std::upper_bound(wavelength_nm_.begin(), wavelength_nm_.end(), wavelength_nm);
-  if (above == wavelength_nm_.begin()) return {};
-  if (above == wavelength_nm_.end()) return wavelength_nm == wavelength_nm_.back() ? value_.back() : Xyz{};
-  const auto i = static_cast<std::size_t>(above - wavelength_nm_.begin());
-  const double t = (wavelength_nm - wavelength_nm_[i - 1]) / (wavelength_nm_[i] - wavelength_nm_[i - 1]);
-  const Xyz& a = value_[i - 1];
-  const Xyz& b = value_[i];
-  return {a.X + t * (b.X - a.X), a.Y + t * (b.Y - a.Y), a.Z + t * (b.Z - a.Z)};
+  if (wavelength_nm < wavelength_nm_.front() || wavelength_nm > wavelength_nm_.back()) return {};
+  const Bracket at = held_bracket(wavelength_nm_, wavelength_nm);
+  const Xyz& a = value_[at.below];
+  const Xyz& b = value_[at.above];
+  return {linear(a.X, b.X, at.part), linear(a.Y, b.Y, at.part), linear(a.Z, b.Z, at.part)};
 }
 
 std::vector<Xyz> ColourMatching::weights(const WavelengthGrid& grid) const {

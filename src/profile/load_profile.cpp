@@ -6,10 +6,13 @@
 #include <optional>
 
 #include "continuation.hpp"
-#include "level_quantities.hpp"
+#include "ground_level.hpp"
+#include "hydrostatic.hpp"
 #include "profile_file.hpp"
+#include "report2005.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
 
@@ -154,21 +157,23 @@ Profile load_profile(const Context& context, const std::string& name_or_path) {
   set_temperature_and_pressure(context, file, path, profile);
   set_gases(file, profile);
   if (file.report_2005) add_report_gases(*file.report_2005, profile);
-  if (profile.altitude_km.back() < kAtmosphereTop_km)
+  if (profile.altitude_km.back() < domain::kAtmosphereTop_km)
     continue_to_top(profile, load_profile(context, kStandardName));
   if (file.report_2005) {
-    profile.quantities = report_quantities(profile, *file.report_2005);
-    profile.quantities_printed = true;
-    profile.quantities_source =
-        "UTM report 2005, eqs. 3.7, 3.11, 3.12; humidity and water as printed in its Table 3.1";
-    set_ozone_above(profile, profile.quantities.back().ozone_atm_cm * 1000.0 * kDobsonUnit_per_m2);
+    profile.report_2005 = file.report_2005;
+    set_ozone_above(profile, report_quantities(profile, *file.report_2005).back().ozone_atm_cm * 1000.0 *
+                                 kDobsonUnit_per_m2);
+  }
+  std::vector<std::string> by_mixing_ratio = file.mixing_ratio_gases;
+  for (const char* name : {"oxygen", "carbon_dioxide"})
+    if (std::none_of(file.gases.begin(), file.gases.end(), [&](const auto& gas) { return gas.name == name; }))
+      by_mixing_ratio.emplace_back(name);
+  balance(profile, 0.0, by_mixing_ratio, path);
+  if (file.ground_height_km) {
+    if (*file.ground_height_km != 0.0) profile = with_ground_at(profile, *file.ground_height_km);
+    profile.ground_height_km = file.ground_height_km;
   }
   scale_totals(file.total, path, profile);
-  if (!file.report_2005) {
-    update_quantities(profile);
-    profile.quantities_source =
-        "integrals of the profile; oxygen and carbon dioxide paths by UTM report 2005 eq. 3.11";
-  }
   return profile;
 }
 

@@ -8,8 +8,8 @@
 
 #include "aerosol_component.hpp"
 #include "core/toml_reader.hpp"
-#include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -94,9 +94,9 @@ GivenOptics read_optics(const TomlReader& reader) {
   reader.allow_only({"angstrom_exponent", "wavelength_nm", "single_scattering_albedo", "asymmetry"});
   GivenOptics optics;
   optics.angstrom_exponent = reader.number("angstrom_exponent");
-  if (!(optics.angstrom_exponent >= -1.0 && optics.angstrom_exponent <= 4.0))
-    reader.refuse("angstrom_exponent",
-                  fmt::format("is {}; must lie within -1 to 4", optics.angstrom_exponent));
+  if (const Range& range = domain::kAngstromExponent; !range.holds(optics.angstrom_exponent))
+    reader.refuse("angstrom_exponent", fmt::format("is {}; must lie within {} to {}",
+                                                   optics.angstrom_exponent, range.lowest, range.highest));
   optics.wavelength_nm = reader.numbers("wavelength_nm");
   optics.single_scattering_albedo = reader.numbers("single_scattering_albedo");
   optics.asymmetry = reader.numbers("asymmetry");
@@ -151,16 +151,6 @@ void read_stratosphere(const Context& context, const TomlReader& reader, Aerosol
 }
 
 }  // namespace
-
-double SizeDistribution::per_log_radius(double radius_um) const {
-  if (radius_um < r_min_um || radius_um > r_max_um) return 0.0;
-  if (kind == Kind::power_law)
-    return exponent * std::pow(radius_um, -exponent) /
-           (std::pow(r_min_um, -exponent) - std::pow(r_max_um, -exponent));
-  const double width = std::log(sigma_g);
-  const double distance = std::log(radius_um / mode_radius_um) / width;
-  return std::exp(-0.5 * distance * distance) / (std::sqrt(2.0 * kPi) * width);
-}
 
 AerosolDescription load_aerosol_description(const Context& context, const std::string& name_or_path,
                                             std::optional<double> humidity_percent) {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "skylut/core/legendre.hpp"
+
 namespace skylut {
 
 namespace {
@@ -144,7 +146,7 @@ std::vector<double> AngularSum::moments(const Rules& rules) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < kTile; ++i) {
           sum += light[i] * legendre[i];
-          const double next = (2.0 - part) * mu[i] * legendre[i] - (1.0 - part) * before[i];
+          const double next = next_legendre(part, mu[i], legendre[i], before[i]);
           before[i] = legendre[i];
           legendre[i] = next;
         }

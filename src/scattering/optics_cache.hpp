@@ -14,9 +14,9 @@ struct Context;
 std::string optics_key(const std::vector<AerosolComponent>& components,
                        const std::vector<double>& wavelength_nm);
 
-/// Results of an earlier run for the same key, exactly as they were; nothing if there are none, or none that
-/// can be read. Files lie in the context's cache folder (none: nothing is kept) and may be deleted at any
-/// time.
+/// Results of an earlier run for the same key, exactly as they were; nothing if there are none, or at any
+/// doubt: not a regular file, another checksum, numbers that no particles have. Files lie in the context's
+/// cache folder (none: nothing is kept) and may be deleted at any time.
 std::optional<std::vector<ParticleOptics>> find_in_cache(const Context& context, const std::string& key);
 
 /// Keeps results for later runs. A folder that cannot be written to is no failure.

@@ -38,7 +38,8 @@ class LineAbsorption {
   /// @param rows  ascending; wavelengths left out do not absorb
   explicit LineAbsorption(std::vector<Row> rows);
 
-  /// The band centred on a wavelength: every nm by its overlap, the exponents weighted by absorption.
+  /// The band centred on a wavelength: every nm by its overlap, the exponents weighted by absorption. What
+  /// absorbs beyond 1000.5 nm is not known: a band that reaches there is its part within.
   /// @param band_nm  width, > 0
   LineBand band(double wavelength_nm, double band_nm) const;
 

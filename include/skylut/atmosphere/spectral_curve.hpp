@@ -33,7 +33,6 @@ class SpectralCurve {
 
  private:
   SpectralCurve() = default;
-  std::size_t piece_of(double wavelength_nm) const;
   void require_inside(double lower_nm, double upper_nm) const;
   double integral_from_start(double wavelength_nm) const;
 

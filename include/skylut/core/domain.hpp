@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "skylut/core/errors.hpp"
 
 /// What skylut computes for: every limit of an input stands here, once, and every check and message takes
@@ -32,14 +34,18 @@ inline constexpr Range kNitrogenDioxide_DU{0.0, 100.0, "DU"};
 inline constexpr Range kWater_cm{0.0, 20.0, "cm"};
 inline constexpr Range kSurfacePressure_hPa{300.0, 1100.0, "hPa"};
 inline constexpr Range kGravity_m_s2{9.7, 9.9, "m/s2"};
-inline constexpr Range kPlanetRadius_km{1000.0, 1e9, "km"};
 inline constexpr Range kHumidity_percent{0.0, 99.0, "%"};
 inline constexpr Range kGroundHeight_m{-500.0, 9000.0, "m"};  ///< of the ground above the ellipsoid
-inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};    ///< half angle of the cone around the sun
-inline constexpr Range kThreads{0.0, 1024.0, ""};             ///< 0: one per core
+/// Spherical solvers: below, their accuracy is not what is stated for the Earth (+0.3 to +1.6 % at 100 km).
+inline constexpr Range kPlanetRadius_km{1000.0, 1e9, "km"};
+inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};  ///< half angle of the cone around the sun
+inline constexpr Range kThreads{0.0, 1024.0, ""};           ///< 0: one per core
 inline constexpr Range kAngstromExponent{-1.0, 4.2,
-                                         ""};         ///< small clear spheres scatter more steeply than λ^-4
-inline constexpr double kAtmosphereTop_km = 100.0;    ///< that every profile reaches
+                                         ""};  ///< small clear spheres scatter more steeply than λ^-4
+inline constexpr std::size_t kLargestInput_bytes = 256'000'000;  ///< of a TOML or JSON file
+inline constexpr std::size_t kLongestLine_bytes = 1'000'000;     ///< of a comma-separated file
+inline constexpr std::size_t kDeepestNesting = 64;               ///< of a JSON file; a solver case has 4
+inline constexpr double kAtmosphereTop_km = 100.0;               ///< that every profile reaches
 inline constexpr double kLowestProfileTop_km = 10.0;  ///< a file's last level: continued from there on
 
 }  // namespace domain

@@ -41,7 +41,8 @@ struct AerosolOptics {
   /// Optics of the shape's stratospheric layer; none: the same as these.
   std::shared_ptr<const AerosolOptics> stratosphere;
 
-  /// @throws InputError  naming the member that is out of range: exponent in [-1, 4], albedo in [0, 1],
+  /// @throws InputError  naming the member that is out of range: exponent (where there is no
+  ///                     relative_extinction) in domain::kAngstromExponent, albedo in [0, 1],
   ///                     |asymmetry| < 1, wavelengths ascending, all lists of one length, heights > 0
   void validate() const;
 

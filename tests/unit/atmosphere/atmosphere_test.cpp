@@ -117,7 +117,7 @@ TEST(Atmosphere, DepthsAboveAnAltitude) {
 TEST(Atmosphere, OzoneDepth) {
   const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
   const CrossSection ozone = load_ozone_cross_section(test::context);
-  const double mean_K = air.profile().quantities.front().ozone_temperature_K;
+  const double mean_K = level_quantities(air.profile()).levels.front().ozone_temperature_K;
   for (double wavelength_nm : {500.0, 550.0, 600.0, 700.0}) {
     const double expected = 343.8 * kDobsonUnit_per_m2 * ozone.at_m2(wavelength_nm, mean_K);
     EXPECT_NEAR(depth_of(air.optical_depths({.wavelength_nm = wavelength_nm}, 0.0), "ozone") / expected, 1.0,

@@ -48,6 +48,14 @@ TEST(LineAbsorption, BandIsTheMeanOfItsNanometres) {
   }
 }
 
+// The table ends with 1000 nm: the mean of a band that reaches beyond is that of its part within.
+TEST(LineAbsorption, BandBeyondTheTableIsItsPartWithin) {
+  const LineAbsorption water = load_water_lines(test::context);
+  for (double amount : {1e26, 1e27})
+    EXPECT_NEAR(transmittance(water.band(1000.0, 100.0).sum, amount),
+                transmittance(water.band(975.25, 50.5).sum, amount), 1e-12);
+}
+
 // Curve of growth: a little gas absorbs in proportion, more of it slower. The A band of oxygen at the ground
 // is on the square-root part: four times the path doubles its width until neighbouring lines meet (LOWTRAN 7
 // has the exponent 0.564 for a single nm).

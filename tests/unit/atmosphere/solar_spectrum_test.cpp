@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -70,9 +71,26 @@ TEST(SolarSpectrum, BandMeans) {
   EXPECT_DOUBLE_EQ(sun.integral_W_m2(503.0, 503.0), 0.0);
 }
 
+// A band that reaches beyond an end is the mean over its part inside.
+TEST(SolarSpectrum, BandsAreClippedAtTheEnds) {
+  const SolarSpectrum sun({500.0, 510.0, 520.0}, {1.0, 2.0, 4.0});
+  EXPECT_DOUBLE_EQ(sun.irradiance_W_m2_nm(495.0, 10.0), 1.0);                              // 495-500 nm
+  EXPECT_DOUBLE_EQ(sun.irradiance_W_m2_nm(500.0, 20.0), (10.0 * 1.0 + 5.0 * 2.0) / 15.0);  // 495-510 nm
+  const SolarSpectrum astm = SolarSpectrum::load(test::context);
+  for (const auto& [wavelength_nm, band_nm, first_nm, last_nm] :
+       {std::array{300.0, 100.0, 280.5, 350.0}, {1000.0, 100.0, 950.0, 1030.5}, {300.0, 50.0, 280.5, 325.0}})
+    EXPECT_DOUBLE_EQ(astm.irradiance_W_m2_nm(wavelength_nm, band_nm),
+                     astm.integral_W_m2(first_nm, last_nm) / (last_nm - first_nm))
+        << wavelength_nm;
+  const SolarSpectrum gueymard = SolarSpectrum::load(test::context, "gueymard2003");
+  EXPECT_DOUBLE_EQ(gueymard.irradiance_W_m2_nm(360.0, 5.0), gueymard.integral_W_m2(359.5, 362.5) / 3.0);
+  EXPECT_DOUBLE_EQ(gueymard.irradiance_W_m2_nm(830.0, 5.0), gueymard.integral_W_m2(827.5, 830.5) / 3.0);
+}
+
 TEST(SolarSpectrum, WrongUseIsRefused) {
   const SolarSpectrum sun({500.0, 510.0, 520.0}, {1.0, 2.0, 4.0});
-  EXPECT_THROW(sun.irradiance_W_m2_nm(495.0, 10.0), InputError);
+  EXPECT_THROW(sun.irradiance_W_m2_nm(494.9, 10.0), InputError);
+  EXPECT_THROW(sun.irradiance_W_m2_nm(525.1, 10.0), InputError);
   EXPECT_THROW(sun.irradiance_W_m2_nm(510.0, 0.0), InputError);
   EXPECT_THROW(sun.irradiance_W_m2_nm(NAN, 5.0), InputError);
   EXPECT_THROW(SolarSpectrum({500.0, 510.0, 530.0}, {1.0, 2.0, 4.0}), InputError);

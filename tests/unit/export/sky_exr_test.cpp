@@ -124,14 +124,14 @@ TEST_F(SkyExr, SameMapSameBytes) {
 }
 
 TEST_F(SkyExr, AFullDiskIsAnErrorAndLeavesNothing) {
-  EXPECT_THROW(write_sky_exr("/dev/full", map_, projection_, SkyChannels::rgb, {}), WorkError);
-  EXPECT_THROW(write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb, {}),
+  EXPECT_THROW(write_sky_exr("/dev/full", map_, projection_, SkyChannels::rgb, Provenance()), WorkError);
+  EXPECT_THROW(write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb, Provenance()),
                WorkError);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(SkyExr, PixelsAndDirectionsMustAgree) {
-  EXPECT_THROW(write_sky_exr(folder_ / "sky.exr", map_, LatLongProjection(5), SkyChannels::rgb, {}),
+  EXPECT_THROW(write_sky_exr(folder_ / "sky.exr", map_, LatLongProjection(5), SkyChannels::rgb, Provenance()),
                InputError);
 }
 

@@ -24,9 +24,10 @@ constexpr Row kTable[] = {
 
 TEST(Table31, PrintedDigits) {
   const Profile profile = load_profile(test::context, "utm2005");
-  ASSERT_EQ(profile.quantities.size(), 16u);
+  const std::vector<LevelQuantities> levels = level_quantities(profile).levels;
+  ASSERT_EQ(levels.size(), 16u);
   for (const Row& row : kTable) {
-    const LevelQuantities& level = profile.quantities[static_cast<std::size_t>(row.z / 2.0)];
+    const LevelQuantities& level = levels[static_cast<std::size_t>(row.z / 2.0)];
     ASSERT_EQ(level.altitude_km, row.z);
     EXPECT_NEAR(level.temperature_K, row.temperature, 0.1) << row.z;
     EXPECT_NEAR(level.pressure_hPa, row.pressure, row.z < 10 ? 0.0501 : 0.00501 * (row.z == 12 ? 10 : 1))
@@ -44,7 +45,8 @@ TEST(Table31, PrintedDigits) {
 TEST(Table31, OzoneDensityGivesEquation312) {
   const Profile profile = load_profile(test::context, "utm2005");
   const GasProfile& ozone = *profile.gas("ozone");
-  for (const LevelQuantities& level : profile.quantities)
+  const LevelTable table = level_quantities(profile);
+  for (const LevelQuantities& level : table.levels)
     EXPECT_NEAR(gas_column_per_m2(profile, ozone, level.altitude_km, 100.0) / (1000.0 * kDobsonUnit_per_m2),
                 level.ozone_atm_cm, 1e-9)
         << level.altitude_km;

@@ -80,7 +80,7 @@ TEST(UsStandard1976, GasColumns) {
   };
   EXPECT_NEAR(column("ozone") / kDobsonUnit_per_m2, 343.8, 1e-9);
   // AFGL U.S. standard: 1.417 g/cm² of water (logarithmic between levels), 5.57e15 cm⁻² of NO2.
-  EXPECT_NEAR(profile.quantities.front().precipitable_water_cm, 1.417, 0.003);
+  EXPECT_NEAR(level_quantities(profile).levels.front().precipitable_water_cm, 1.417, 0.003);
   EXPECT_NEAR(column("nitrogen_dioxide"), 5.57e19, 0.05e19);
   EXPECT_NEAR(column("oxygen") / air_column_per_m2(profile, 0.0, 100.0), 0.209476, 1e-4);
 }
@@ -88,7 +88,7 @@ TEST(UsStandard1976, GasColumns) {
 // Most ozone lies above 15 km, and the physical profile knows it.
 TEST(UsStandard1976, PhysicalQuantities) {
   const Profile profile = load_profile(test::context, "ussa1976");
-  const auto& levels = profile.quantities;
+  const std::vector<LevelQuantities> levels = level_quantities(profile).levels;
   ASSERT_GT(levels.size(), 15u);
   EXPECT_NEAR(levels[0].ozone_atm_cm, 0.3438, 1e-9);
   EXPECT_GT(levels[15].ozone_atm_cm, 0.7 * levels[0].ozone_atm_cm);

@@ -1,10 +1,14 @@
 #include "optics_cache.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <limits>
 
 #include "support/test_context.hpp"
 
@@ -24,6 +28,11 @@ class OpticsCache : public testing::Test {
   }
 
   fs::path only_file() const { return fs::directory_iterator(folder_ / "skylut")->path(); }
+
+  static std::string text_of(const fs::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
 
   fs::path folder_;
   Context context_ = test::context;
@@ -56,6 +65,76 @@ TEST_F(OpticsCache, IgnoresWhatIsDamaged) {
   }
   keep_in_cache(context_, "key", kResults);
   EXPECT_TRUE(find_in_cache(context_, "key"));
+}
+
+// One number changed by hand: the checksum tells.
+TEST_F(OpticsCache, ChangedNumbersAreNotBelieved) {
+  keep_in_cache(context_, "key", kResults);
+  const fs::path file = only_file();
+  const std::string whole = text_of(file);
+  for (const auto& [from, to] : {std::pair{"0.1 1 0.7", "0.05 1 0.7"},  // scattering halved
+                                 {" 1 0.7", " 7 0.7"},                  // moment 0
+                                 {" 1 0.7", " inf 0.7"},
+                                 {" 1 0.7", " nan 0.7"},
+                                 {"0.7", "0.8"},
+                                 {"end\n", "end\n\n"},
+                                 {"2e-12", "3e-12"}}) {
+    std::string changed = whole;
+    changed.replace(changed.rfind(from), std::string(from).size(), to);
+    ASSERT_NE(changed, whole);
+    std::ofstream(file) << changed;
+    EXPECT_FALSE(find_in_cache(context_, "key")) << from << " to " << to;
+  }
+  std::ofstream(file) << whole.substr(0, whole.size() / 2);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  std::ofstream(file) << whole;
+  EXPECT_TRUE(find_in_cache(context_, "key"));
+}
+
+// Numbers that no sphere has, with the checksum they would have.
+TEST_F(OpticsCache, ImpossibleNumbersAreNotBelieved) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const ParticleOptics& impossible :
+       {ParticleOptics{1.0, 1.1, {1.0, 0.5}}, ParticleOptics{-1.0, -1.0, {1.0, 0.5}},
+        ParticleOptics{infinity, 1.0, {1.0, 0.5}}, ParticleOptics{1.0, NAN, {1.0, 0.5}},
+        ParticleOptics{1.0, 0.5, {7.0, 0.5}}, ParticleOptics{1.0, 0.5, {1.0, 1.5}},
+        ParticleOptics{1.0, 0.5, {1.0, infinity}}}) {
+    keep_in_cache(context_, "key", {kResults[0], impossible});
+    EXPECT_FALSE(find_in_cache(context_, "key"));
+  }
+}
+
+// A pipe would keep the reader waiting for ever, a link shows another file: neither is a file of ours,
+// neither is written to.
+TEST_F(OpticsCache, OnlyRegularFilesCount) {
+  keep_in_cache(context_, "key", kResults);
+  const fs::path file = only_file();
+  const fs::path moved = folder_ / "moved";
+  fs::rename(file, moved);
+  fs::create_symlink(moved, file);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  keep_in_cache(context_, "key", {});
+  EXPECT_TRUE(fs::is_symlink(file));
+  fs::remove(file);
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  keep_in_cache(context_, "key", kResults);
+  EXPECT_TRUE(fs::is_fifo(file));
+  fs::remove(file);
+  fs::create_directory(file);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  EXPECT_NO_THROW(keep_in_cache(context_, "key", kResults));
+  fs::remove(file);
+  std::ofstream(file) << "x";
+  fs::resize_file(file, 1'000'000'000);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+}
+
+TEST_F(OpticsCache, WithoutAFolderNothingIsKept) {
+  context_.cache_folder.clear();
+  keep_in_cache(context_, "key", kResults);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  EXPECT_FALSE(fs::exists(folder_));
 }
 
 TEST_F(OpticsCache, NeedsNoPlace) {

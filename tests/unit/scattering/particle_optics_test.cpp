@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "angular_sum.hpp"
@@ -157,6 +159,44 @@ TEST(TabulatedPhaseFunction, LooksUpTheSeries) {
   }
   EXPECT_NEAR(energy, 1.0, 1e-4);
   EXPECT_NEAR(forward, table.moment(1), 1e-4);
+}
+
+int threads_of_this_process() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("Threads:")) return std::stoi(line.substr(8));
+  return 0;
+}
+
+// One thread means this one: no worker is started, and the numbers are the same.
+TEST(ParticleOptics, ObeysTheNumberOfThreads) {
+  const std::vector<AerosolComponent> components{lognormal(1.0, 0.1, 1.8, 2.0, 1.5, 0.01)};
+  const std::vector<double> wavelengths_nm{400.0, 500.0, 600.0, 700.0};
+  Context context = test::context;
+  context.threads = 1;
+  const int before = threads_of_this_process();
+  const std::vector<ParticleOptics> alone = particle_optics(context, components, wavelengths_nm);
+  EXPECT_EQ(threads_of_this_process(), before);
+  context.threads = 3;
+  const std::vector<ParticleOptics> together = particle_optics(context, components, wavelengths_nm);
+  EXPECT_GT(threads_of_this_process(), before);
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_EQ(alone[i].moments, together[i].moments);
+}
+
+// Clear spheres much smaller than the wavelength scatter a little more steeply than λ⁻⁴ where n > √2, by the
+// next term of Rayleigh's series. Exponents of an independent Mie sum over 800 radii; between our own
+// wavelengths extinction is interpolated.
+TEST(ParticleOptics, ClearAitkenParticlesAreSteeperThanRayleigh) {
+  AerosolDescription aitken;
+  aitken.name = "aitken";
+  aitken.components.push_back(lognormal(3000.0, 0.02, 1.2, 0.1, 1.53, 0.0));
+  aitken.components[0].size.r_min_um = 0.0005;
+  const AerosolOptics optics = aerosol_optics(test::context, aitken);
+  EXPECT_NO_THROW(optics.validate());
+  EXPECT_NEAR(optics.angstrom_exponent_between(300.0, 350.0), 4.0102, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(350.0, 500.0), 4.0149, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(440.0, 870.0), 4.0103, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(500.0, 800.0), 4.0099, 2e-3);
 }
 
 }  // namespace

@@ -24,6 +24,12 @@ SkyScene small_scene() {
   return scene;
 }
 
+AtmosphereOptions without_water() {
+  AtmosphereOptions options;
+  options.water_cm = 0.0;
+  return options;
+}
+
 TransferOptions draft() {
   TransferOptions options;
   options.limits = limits_of(Quality::draft);
@@ -92,7 +98,7 @@ TEST(SimulateSky, BandsOfLines) {
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].radiance, three[i].radiance);
   scene.turbidities.erase(scene.turbidities.begin());
   EXPECT_EQ(simulate_sky(test::context, scene, options)[0].radiance, one[3].radiance);
-  scene.atmosphere = test::standard_atmosphere({.water_cm = 0.0});
+  scene.atmosphere = test::standard_atmosphere(without_water());
   const SkyMap dry = simulate_sky(test::context, scene, options)[0];
   // 720 nm (fourth band): water takes 12 % from the vertical and more from slant paths.
   EXPECT_LT(one[3].spectrum(1)[3], 0.9 * dry.spectrum(1)[3]);

@@ -68,7 +68,9 @@ TEST(SkyQuadrature, AureoleAtTheZenith) {
 TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
   for (const double sun_deg : {0.0, 48.236, 75.0}) {
     SkyScene scene = scene_at(sun_deg);
-    scene.atmosphere = test::standard_atmosphere({.planet_radius_km = 1e7});
+    AtmosphereOptions flat;
+    flat.planet_radius_km = 1e7;
+    scene.atmosphere = test::standard_atmosphere(flat);
     const SunIrradiance sun = simulate_sun(test::context, scene, {}, {});
     const Atmosphere& air = *scene.atmosphere;
     for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {

@@ -1,9 +1,9 @@
-#include "level_quantities.hpp"
+#include "report2005.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "skylut/core/constants.hpp"
+#include "skylut/core/interpolation.hpp"
 #include "skylut/core/quadrature.hpp"
 
 namespace skylut {
@@ -62,16 +62,15 @@ double mean_ozone_temperature_K(const Profile& profile, const GasProfile& ozone,
 
 // Logarithm linear in altitude between the printed levels, beyond them continued.
 double between_printed(const std::vector<double>& altitude_km, const std::vector<double>& value, double z) {
-  const auto above =
-      std::upper_bound(altitude_km.begin() + 1, altitude_km.end() - 1, z) - altitude_km.begin();
-  const auto i = static_cast<std::size_t>(above) - 1;
-  const double part = (z - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]);
-  return value[i] * std::pow(value[i + 1] / value[i], part);
+  const std::size_t i = piece_of(altitude_km, z);
+  return log_linear(value[i], value[i + 1], (z - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]));
 }
 
 }  // namespace
 
 double water_molecules_per_m2_cm() { return 1e4 * kAvogadro_per_mol / kWaterMolarMass_g_per_mol; }
+
+namespace {
 
 std::vector<LevelQuantities> physical_quantities(const Profile& profile) {
   const GasProfile& ozone = *profile.gas("ozone");
@@ -97,8 +96,14 @@ std::vector<LevelQuantities> physical_quantities(const Profile& profile) {
   return levels;
 }
 
-void update_quantities(Profile& profile) {
-  if (!profile.quantities_printed) profile.quantities = physical_quantities(profile);
+}  // namespace
+
+LevelTable level_quantities(const Profile& profile) {
+  if (profile.report_2005)
+    return {report_quantities(profile, *profile.report_2005),
+            "UTM report 2005, eqs. 3.7, 3.11, 3.12; humidity and water as printed in its Table 3.1"};
+  return {physical_quantities(profile),
+          "integrals of the profile; oxygen and carbon dioxide paths by UTM report 2005 eq. 3.11"};
 }
 
 std::vector<LevelQuantities> report_quantities(const Profile& profile, const Report2005& report) {
