@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "case_layers.hpp"
+#include "skylut/core/json_reader.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/core/json_reader.hpp"
 #include "skylut/core/version.hpp"
 #include "skylut/transfer/monte_carlo.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
@@ -209,8 +209,8 @@ double truncation_error(const AltitudeCase& read, const SkyRequest& request, Tra
   double largest = 0.0;
   for (std::size_t i = 0; i < request.views.size(); ++i)
     if (whole.at(0, 0, 0, i) > 0.0f)
-      largest =
-          std::max(largest, std::abs(1.0 - double{truncated.at(0, 0, 0, i)} / double{whole.at(0, 0, 0, i)}));
+      largest = std::max(
+          largest, std::abs(1.0 - double{truncated.at(0, 0, 0, i)} / double{whole.at(0, 0, 0, i)}));
   return largest;
 }
 
