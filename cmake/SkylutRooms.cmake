@@ -24,13 +24,12 @@ set(SKYLUT_USES_cli
 
 # Libraries that whoever links the room needs too; a header-only library that only its sources use is in
 # SKYLUT_BUILDS_WITH.
-set(SKYLUT_PACKAGES_core fmt nlohmann_json TBB)
+set(SKYLUT_PACKAGES_core fmt nlohmann_json TBB tomlplusplus)
+set(SKYLUT_PACKAGES_profile tomlplusplus)
+set(SKYLUT_PACKAGES_scattering tomlplusplus)
 set(SKYLUT_PACKAGES_site GEOGRAPHICLIB ERFA)
 set(SKYLUT_PACKAGES_fit Ceres)
 set(SKYLUT_PACKAGES_export OpenEXR)
-set(SKYLUT_BUILDS_WITH_core tomlplusplus)
-set(SKYLUT_BUILDS_WITH_profile tomlplusplus)
-set(SKYLUT_BUILDS_WITH_scattering tomlplusplus)
 set(SKYLUT_BUILDS_WITH_transfer Eigen3)
 set(SKYLUT_BUILDS_WITH_fit Eigen3)
 set(SKYLUT_BUILDS_WITH_cli CLI11)
