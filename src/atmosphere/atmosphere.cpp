@@ -21,13 +21,10 @@ namespace {
 // Layer boundaries: fine where the haze and the observers are, coarse where little air is left.
 std::vector<double> layer_levels_km(double top_km) {
   std::vector<double> levels{0.0, 0.1};
-  const auto append = [&levels](double first, int count, double step) {
-    for (int i = 0; i < count; ++i) levels.push_back(first + i * step);
-  };
-  append(0.25, 27, 0.25);  // to 7 km
-  append(7.0, 56, 0.5);    // to 35 km
-  append(35.0, 6, 2.5);    // to 50 km
-  for (const double z : {50.0, 55.0, 60.0, 70.0, 80.0, 100.0}) levels.push_back(z);
+  for (int i = 1; i < 28; ++i) levels.push_back(0.25 * i);  // to 6.75
+  for (int i = 14; i < 70; ++i) levels.push_back(0.5 * i);  // 7 to 34.5
+  for (int i = 14; i < 20; ++i) levels.push_back(2.5 * i);  // 35 to 47.5
+  for (double z : {50.0, 55.0, 60.0, 70.0, 80.0, 100.0}) levels.push_back(z);
   if (top_km > levels.back()) levels.push_back(top_km);
   return levels;
 }

@@ -210,7 +210,7 @@ double truncation_error(const AltitudeCase& read, const SkyRequest& request, Tra
   for (std::size_t i = 0; i < request.views.size(); ++i)
     if (whole.at(0, 0, 0, i) > 0.0f)
       largest = std::max(
-          largest, std::abs(1.0 - static_cast<double>(truncated.at(0, 0, 0, i)) / whole.at(0, 0, 0, i)));
+          largest, std::abs(1.0 - double{truncated.at(0, 0, 0, i)} / double{whole.at(0, 0, 0, i)}));
   return largest;
 }
 

@@ -1,13 +1,10 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
 
 #include "commands.hpp"
-#include "skylut/core/atomic_file.hpp"
+#include "signals.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/version.hpp"
 
@@ -26,12 +23,6 @@ Examples:
 
 Exit codes: 0 done, 1 the work failed, 2 the request was wrong.
 Help on one command: skylut COMMAND --help)";
-
-// Interrupted: leave no half-written file, then end as a shell expects (128 + signal).
-extern "C" void end_by_signal(int signal) {
-  skylut::remove_unfinished_files();
-  _exit(128 + signal);
-}
 
 // An error is one line whatever its source.
 std::string in_one_line(std::string text) {
@@ -97,8 +88,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, end_by_signal);
-  std::signal(SIGTERM, end_by_signal);
+  skylut::cli::end_cleanly_on_signals();
   try {
     return run(argc, argv);
   } catch (const skylut::InputError& error) {

@@ -82,7 +82,7 @@ std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
         double radiance = 0.0;
         for (std::size_t column = bands.first[band]; column < bands.first[band + 1]; ++column)
           radiance += bands.weights[column] *
-                      sky.at(column, observer, views.sun_index(sun), views.view_index(direction, sun));
+                      double{sky.at(column, observer, views.sun_index(sun), views.view_index(direction, sun))};
         map.radiance.push_back(static_cast<float>(irradiance[i] * radiance));
       }
     add_colours(map, weights);
