@@ -25,15 +25,19 @@ Atmosphere build_atmosphere(const Context& context, const AtmosphereDescription&
   options.no2_du = description.no2_du;
   options.water_cm = description.water_cm;
   options.surface_pressure_hPa = description.surface_pressure_hPa;
-  if (description.place) {
-    options.gravity_m_s2 = normal_gravity_m_s2(*description.place);
-    options.planet_radius_km = radius_of_curvature_km(*description.place);
-  }
   Profile profile = load_profile(context, description.profile);
-  // A mountain has a mountain's air: where neither the pressure is given nor the profile knows its own ground, the
-  // place's height is where the air begins.
-  if (description.place && !description.surface_pressure_hPa && !profile.ground_height_km)
-    profile = raised_to(profile, 1e-3 * description.place->height_m);
+  if (description.place) {
+    Place place = *description.place;
+    options.planet_radius_km = radius_of_curvature_km(place);
+    // A mountain has a mountain's air: where neither the pressure is given nor the profile knows its own
+    // ground, the place's height is where the air begins. The decrease of gravity up to there is in the
+    // profile already.
+    if (!description.surface_pressure_hPa && !profile.ground_height_km) {
+      profile = raised_to(profile, 1e-3 * place.height_m);
+      place.height_m = 0.0;
+    }
+    options.gravity_m_s2 = normal_gravity_m_s2(place);
+  }
   options.aerosol = load_aerosol(context, description.aerosol, description.humidity_percent);
   return {context, std::move(profile), std::move(options)};
 }

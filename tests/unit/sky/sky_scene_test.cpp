@@ -110,8 +110,9 @@ TEST(SceneProvenance, NamesTheFilesThatWereRead) {
     EXPECT_TRUE(names(name)) << name;
 }
 
-// A mountain's air: at 4205 m the standard atmosphere's pressure is 1013.25 (1 - 6.5 H / 288.15)^5.25588 hPa with the
-// geopotential height H = 4.2022 km: 600.3 hPa. The Rayleigh depth is as much smaller.
+// A mountain's air: at 4205 m the standard atmosphere's pressure is 1013.25 (1 - 6.5 H / 288.15)^5.25588 hPa
+// with the geopotential height H = 4.2022 km: 600.3 hPa. The Rayleigh depth p / (m g) is as much smaller, but
+// for gravity, which falls by 2 h / R on the way up.
 TEST(Atmosphere, TheGroundsHeightSetsTheAir) {
   AtmosphereDescription description;
   description.place = Place{19.82, -155.47, 4205.0};
@@ -120,7 +121,8 @@ TEST(Atmosphere, TheGroundsHeightSetsTheAir) {
   description.place->height_m = 0.0;
   const Atmosphere sea = build_atmosphere(test::context, description);
   EXPECT_EQ(sea.profile().pressure_hPa.front(), 1013.25);
-  EXPECT_NEAR(mountain.rayleigh_depth(500.0) / sea.rayleigh_depth(500.0), 600.3 / 1013.25, 1e-3);
+  EXPECT_NEAR(mountain.rayleigh_depth(500.0) / sea.rayleigh_depth(500.0),
+              600.3 / 1013.25 * (1.0 + 2.0 * 4.205 / 6371.0), 3e-4);
   description.place->height_m = 4205.0;
   description.surface_pressure_hPa = 900.0;
   EXPECT_EQ(build_atmosphere(test::context, description).profile().pressure_hPa.front(), 900.0);
