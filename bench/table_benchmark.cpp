@@ -16,10 +16,11 @@ void default_table(benchmark::State& state) {
                  {{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}},
                  directions_utm271()};
   TransferOptions options;
-  options.threads = static_cast<int>(state.range(0));
+  Context context;
+  context.threads = static_cast<int>(state.range(0));
   for (auto _ : state) {
-    const std::vector<SkyMap> maps = simulate_sky(scene, options);
-    benchmark::DoNotOptimize(fit_table(maps, {}, options.threads));
+    const std::vector<SkyMap> maps = simulate_sky(context, scene, options);
+    benchmark::DoNotOptimize(fit_table(maps, {}, context.threads));
   }
 }
 BENCHMARK(default_table)

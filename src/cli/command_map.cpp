@@ -11,6 +11,7 @@
 #include "directions_option.hpp"
 #include "number_options.hpp"
 #include "output_check.hpp"
+#include "program_context.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
@@ -68,10 +69,10 @@ SkyScene scene_of(const MapOptions& options) {
   return scene;
 }
 
-SkyMap simulate(const SkyScene& scene, TransferOptions transfer) {
+SkyMap simulate(Context context, const SkyScene& scene, const TransferOptions& transfer) {
   Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sky(scene, transfer).front();
+  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
+  return simulate_sky(context, scene, transfer).front();
 }
 
 void print_facts(const SkyMap& map, const SkyScene& scene) {
@@ -83,21 +84,21 @@ void print_facts(const SkyMap& map, const SkyScene& scene) {
   fmt::print("luminance {:.5g} to {:.5g} cd/m2\n", darkest->Y, brightest->Y);
 }
 
-void write_csv(const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
+void write_csv(const Context& context, const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
   scene.directions = directions_of(options.directions);
   require_writable_file("-o", options.out);
-  const SkyMap map = simulate(scene, transfer);
+  const SkyMap map = simulate(context, scene, transfer);
   write_text_atomically(options.out, sky_csv(map));
   print_facts(map, scene);
   fmt::print("wrote {}\n", options.out.string());
 }
 
-void write_exr(const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
+void write_exr(const Context& context, const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
   const std::unique_ptr<Projection> projection = make_projection(options.projection, options.size);
   const std::vector<SkyChannels> channels = parse_sky_channels(options.channels);
   for (const SkyChannels kind : channels) require_writable_file("-o", sky_exr_path(options.out, kind));
   scene.directions = projection->directions();
-  const SkyMap map = simulate(scene, transfer);
+  const SkyMap map = simulate(context, scene, transfer);
   for (const SkyChannels kind : channels)
     write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind);
   print_facts(map, scene);
@@ -109,9 +110,11 @@ void write_exr(const MapOptions& options, SkyScene scene, const TransferOptions&
 void run(const MapOptions& options) {
   const FileKind kind = kind_of(options);
   const SkyScene scene = scene_of(options);
+  Context context = program_context();
+  context.threads = options.scene.threads();
   const TransferOptions transfer = options.scene.transfer();
-  if (kind == FileKind::csv) return write_csv(options, scene, transfer);
-  write_exr(options, scene, transfer);
+  if (kind == FileKind::csv) return write_csv(context, options, scene, transfer);
+  write_exr(context, options, scene, transfer);
 }
 
 void add_picture_options(CLI::App& command, MapOptions& options) {

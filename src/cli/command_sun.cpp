@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "number_options.hpp"
 #include "output_check.hpp"
+#include "program_context.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 #include "skylut/models/closed_form_sun.hpp"
@@ -74,10 +75,11 @@ std::string command_line(const CommandOptions& options) {
   return text + " " + options.scene.command_line();
 }
 
-SunIrradiance simulate(const SkyScene& scene, const CommandOptions& options, TransferOptions transfer) {
+SunIrradiance simulate(Context context, const SkyScene& scene, const CommandOptions& options,
+                       const TransferOptions& transfer) {
   Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sun(scene, {!options.no_diffuse, options.circumsolar_deg}, transfer);
+  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
+  return simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg}, transfer);
 }
 
 void print_line(const char* what, const std::vector<double>& irradiance, const SunIrradiance& sun) {
@@ -125,10 +127,12 @@ void run(const CommandOptions& options) {
   const FileKind kind = kind_of(options.out);
   const std::optional<ClosedFormModel> model = model_of(options);
   const SkyScene scene = scene_of(options);
+  Context context = program_context();
+  context.threads = options.scene.threads();
   const TransferOptions transfer = options.scene.transfer();
   if (kind != FileKind::none) require_writable_file("-o", options.out);
   const SunIrradiance sun =
-      model ? simulate_sun_closed_form(scene, *model) : simulate(scene, options, transfer);
+      model ? simulate_sun_closed_form(scene, *model) : simulate(context, scene, options, transfer);
   if (kind == FileKind::csv) write_text_atomically(options.out, sun_csv(sun));
   if (kind == FileKind::json)
     write_text_atomically(options.out,

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "number_options.hpp"
 #include "output_check.hpp"
+#include "program_context.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
@@ -88,10 +89,10 @@ void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps) {
     write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i]));
 }
 
-std::vector<SkyMap> simulate(const SkyScene& scene, TransferOptions transfer) {
+std::vector<SkyMap> simulate(Context context, const SkyScene& scene, const TransferOptions& transfer) {
   Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sky(scene, transfer);
+  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
+  return simulate_sky(context, scene, transfer);
 }
 
 SkyTable fit(const std::vector<SkyMap>& maps, const SkyFitOptions& options, int threads) {
@@ -102,12 +103,14 @@ SkyTable fit(const std::vector<SkyMap>& maps, const SkyFitOptions& options, int 
 
 void run(const TableOptions& options) {
   const SkyScene scene = scene_of(options);
+  Context context = program_context();
+  context.threads = options.scene.threads();
   const TransferOptions transfer = options.scene.transfer();
   SkyFitOptions fit_options;
   fit_options.weights = parse_weights(options.weights);
   require_writable_outputs(options);
 
-  const std::vector<SkyMap> maps = simulate(scene, transfer);
+  const std::vector<SkyMap> maps = simulate(context, scene, transfer);
   const SkyTable table = fit(maps, fit_options, options.scene.threads());
 
   create_folder(options.out);

@@ -161,8 +161,7 @@ AtmosphereOptions SceneOptions::air() const {
 
 TransferOptions SceneOptions::transfer() const {
   TransferOptions options;
-  options.limits = limits_of(parse_quality(quality_));
-  options.threads = threads_;
+  options.discretisation = discretisation_of(parse_quality(quality_));
   return options;
 }
 

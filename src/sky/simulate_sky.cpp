@@ -1,6 +1,7 @@
 #include "skylut/sky/simulate_sky.hpp"
 
 #include "skylut/colour/cie1931.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
 #include "skylut/atmosphere/solar_spectrum.hpp"
@@ -80,7 +81,8 @@ void add_colours(SkyMap& map, const std::vector<Xyz>& weights) {
 
 }  // namespace
 
-std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& options) {
+std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
+                                 const TransferOptions& options) {
   check(scene);
 
   // 1. The atmosphere becomes optical depths: columns for every turbidity and wavelength, more than one
@@ -93,7 +95,7 @@ std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& o
   // 2. Radiative transfer, once for everything: sr⁻¹ per unit solar irradiance.
   const ViewSet views(scene.directions, scene.suns);
   const SkyRequest request{scene.altitudes_km, views.unique_sun_zeniths_deg(), views.unique_views()};
-  const SkyRadiance sky = solve_sky_radiance(air.shells(), lanes.columns, request, options);
+  const SkyRadiance sky = solve_sky_radiance(context, air.shells(), lanes.columns, request, options);
 
   // 3. The sun's spectrum makes it radiance, the eye's makes it colour.
   const std::vector<Xyz> weights = ColourMatching::load().weights(scene.wavelengths);
@@ -101,7 +103,7 @@ std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& o
   const std::size_t suns = scene.suns.size();
   const std::size_t wavelengths = scene.wavelengths.size();
   std::vector<SkyMap> maps(scene.altitudes_km.size() * loads * suns);
-  parallel_for(maps.size(), options.threads, [&](std::size_t index) {
+  parallel_for(maps.size(), context.threads, [&](std::size_t index) {
     const std::size_t sun = index % suns;
     const std::size_t load = index / suns % loads;
     const std::size_t observer = index / (suns * loads);

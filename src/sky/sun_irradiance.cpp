@@ -5,6 +5,7 @@
 #include "sky_quadrature.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/transfer/direct_beam.hpp"
@@ -61,7 +62,7 @@ void add_direct_beam(const Atmosphere& air, const SkyScene& scene, double aod500
 }
 
 // Sums of the sky's radiance with the weights of each quadrature.
-void add_sky(const Atmosphere& air, const SkyScene& scene, double aod500, const SunIrradianceOptions& options,
+void add_sky(const Context& context, const Atmosphere& air, const SkyScene& scene, double aod500, const SunIrradianceOptions& options,
              const TransferOptions& transfer, SunIrradiance& result) {
   const double sun_deg = scene.suns[0].zenith_deg;
   const SkyQuadrature hemisphere = options.diffuse ? hemisphere_quadrature(sun_deg) : SkyQuadrature{};
@@ -80,7 +81,7 @@ void add_sky(const Atmosphere& air, const SkyScene& scene, double aod500, const 
       share.push_back(term.weight);
       band.push_back(i);
     }
-  const SkyRadiance sky = solve_sky_radiance(air.shells(), columns, request, transfer);
+  const SkyRadiance sky = solve_sky_radiance(context, air.shells(), columns, request, transfer);
 
   const auto integrate = [&](const SkyQuadrature& quadrature, std::size_t first, std::vector<double>& total) {
     if (quadrature.views.empty()) return;
@@ -105,7 +106,7 @@ std::vector<double> SunIrradiance::global_horizontal() const {
   return global;
 }
 
-SunIrradiance simulate_sun(const SkyScene& scene, const SunIrradianceOptions& options,
+SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer) {
   check(scene, options);
   const Atmosphere air(scene.profile, scene.air);
@@ -120,7 +121,7 @@ SunIrradiance simulate_sun(const SkyScene& scene, const SunIrradianceOptions& op
         (scene.sun_distance_au * scene.sun_distance_au));
   add_direct_beam(air, scene, aod500, result);
   if (options.diffuse || options.circumsolar_half_angle_deg > 0.0)
-    add_sky(air, scene, aod500, options, transfer, result);
+    add_sky(context, air, scene, aod500, options, transfer, result);
   return result;
 }
 

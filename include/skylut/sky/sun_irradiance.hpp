@@ -7,6 +7,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// What is asked beside the direct beam.
 struct SunIrradianceOptions {
   bool diffuse = true;  ///< also the diffuse irradiance: needs the sun within 96° of the zenith
@@ -44,7 +46,7 @@ struct SunIrradiance {
 ///               directions are not used
 /// @throws InputError  for values outside the ranges (never clamped)
 /// @throws WorkError   if the transfer does not converge
-SunIrradiance simulate_sun(const SkyScene& scene, const SunIrradianceOptions& options,
+SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer);
 
 /// Σ irradiance · step, W/m².

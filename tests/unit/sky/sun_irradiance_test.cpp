@@ -1,3 +1,4 @@
+#include "support/test_context.hpp"
 #include "skylut/sky/sun_irradiance.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
   for (const double sun_deg : {0.0, 48.236, 75.0}) {
     SkyScene scene = scene_at(sun_deg);
     scene.air.planet_radius_km = 1e7;
-    const SunIrradiance sun = simulate_sun(scene, {}, {});
+    const SunIrradiance sun = simulate_sun(test::context, scene, {}, {});
     const Atmosphere air(scene.profile, scene.air);
     for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
       double expected = 0.0;
@@ -79,8 +80,7 @@ TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
         double depth = 0.0;
         for (const double layer : term.column.extinction_depth) depth += layer;
         request.output_depths = {depth};
-        request.cos_views = {-0.5};
-        request.relative_azimuths_rad = {0.0};
+        request.directions = {{-0.5, 0.0}};
         expected += term.weight * solve_plane_parallel(term.column, request).flux_down_diffuse[0];
       }
       EXPECT_NEAR(sun.diffuse_horizontal[i] / sun.extraterrestrial[i] / expected, 1.0, 2e-3)
@@ -93,7 +93,7 @@ TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
 TEST(SunIrradiance, DirectBeamIsTheProductOfTransmittances) {
   SkyScene scene = scene_at(80.0);
   scene.altitudes_km = {6.0};
-  const SunIrradiance sun = simulate_sun(scene, {false, 0.0}, {});
+  const SunIrradiance sun = simulate_sun(test::context, scene, {false, 0.0}, {});
   EXPECT_TRUE(sun.beam_arrives);
   EXPECT_TRUE(sun.diffuse_horizontal.empty());
   EXPECT_TRUE(sun.global_horizontal().empty());
@@ -116,7 +116,7 @@ TEST(SunIrradiance, DirectBeamIsTheProductOfTransmittances) {
 TEST(SunIrradiance, TheColumnsOfTheSkyTransmitTheSameBeam) {
   SkyScene scene = scene_at(60.0);
   scene.wavelengths = WavelengthGrid(450.0, 750.0, 5.0);
-  const SunIrradiance sun = simulate_sun(scene, {false, 0.0}, {});
+  const SunIrradiance sun = simulate_sun(test::context, scene, {false, 0.0}, {});
   const Atmosphere air(scene.profile, scene.air);
   const auto path = beam_path_factors(air.shells(), 0.0, 60.0);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
@@ -130,7 +130,7 @@ TEST(SunIrradiance, TheColumnsOfTheSkyTransmitTheSameBeam) {
 }
 
 TEST(SunIrradiance, GlobalIsDirectOnTheHorizontalAndDiffuse) {
-  const SunIrradiance sun = simulate_sun(scene_at(60.0), {}, {});
+  const SunIrradiance sun = simulate_sun(test::context, scene_at(60.0), {}, {});
   const std::vector<double> global = sun.global_horizontal();
   for (std::size_t i = 0; i < global.size(); ++i)
     EXPECT_NEAR(global[i], 0.5 * sun.direct_normal[i] + sun.diffuse_horizontal[i], 1e-12);
@@ -140,12 +140,12 @@ TEST(SunIrradiance, GlobalIsDirectOnTheHorizontalAndDiffuse) {
 TEST(SunIrradiance, TwilightFromAHeight) {
   SkyScene scene = scene_at(92.0);
   scene.altitudes_km = {12.0};
-  const SunIrradiance risen = simulate_sun(scene, {}, {});
+  const SunIrradiance risen = simulate_sun(test::context, scene, {}, {});
   EXPECT_TRUE(risen.beam_arrives);
   EXPECT_GT(risen.direct_normal.back(), 0.0);
   EXPECT_EQ(risen.global_horizontal(), risen.diffuse_horizontal);
   scene.suns = {{94.0, 0.0}};
-  const SunIrradiance set = simulate_sun(scene, {}, {});
+  const SunIrradiance set = simulate_sun(test::context, scene, {}, {});
   EXPECT_FALSE(set.beam_arrives);
   EXPECT_EQ(set.direct_normal.back(), 0.0);
   EXPECT_EQ(set.transmittance.front().band_mean.back(), 0.0);
@@ -155,8 +155,8 @@ TEST(SunIrradiance, TwilightFromAHeight) {
 // Light around the sun: between nothing and the whole sky, and more from a wider cone.
 TEST(SunIrradiance, CircumsolarLight) {
   const SkyScene scene = scene_at(45.0);
-  const SunIrradiance narrow = simulate_sun(scene, {true, 1.0}, {});
-  const SunIrradiance wide = simulate_sun(scene, {true, 2.9}, {});
+  const SunIrradiance narrow = simulate_sun(test::context, scene, {true, 1.0}, {});
+  const SunIrradiance wide = simulate_sun(test::context, scene, {true, 2.9}, {});
   EXPECT_EQ(narrow.diffuse_horizontal, wide.diffuse_horizontal);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     EXPECT_GT(narrow.circumsolar_normal[i], 0.0);
@@ -169,12 +169,10 @@ TEST(SunIrradiance, CircumsolarLight) {
 
 TEST(SunIrradiance, DistanceAndThreads) {
   SkyScene scene = scene_at(45.0);
-  TransferOptions one;
-  one.threads = 1;
-  const SunIrradiance mean = simulate_sun(scene, {}, one);
-  EXPECT_EQ(simulate_sun(scene, {}, {}).diffuse_horizontal, mean.diffuse_horizontal);
+  const SunIrradiance mean = simulate_sun(test::on_threads(1), scene, {}, {});
+  EXPECT_EQ(simulate_sun(test::context, scene, {}, {}).diffuse_horizontal, mean.diffuse_horizontal);
   scene.sun_distance_au = 1.02;
-  const SunIrradiance far = simulate_sun(scene, {}, one);
+  const SunIrradiance far = simulate_sun(test::context, scene, {}, {});
   EXPECT_NEAR(mean.direct_normal[0] / far.direct_normal[0], 1.02 * 1.02, 1e-12);
   EXPECT_NEAR(mean.diffuse_horizontal[0] / far.diffuse_horizontal[0], 1.02 * 1.02, 1e-12);
 }
@@ -184,14 +182,14 @@ TEST(SunIrradiance, DistanceAndThreads) {
 TEST(SunIrradiance, SolarIlluminanceConstant) {
   SkyScene scene = scene_at(0.0);
   scene.wavelengths = WavelengthGrid::visible();
-  const SunIrradiance sun = simulate_sun(scene, {false, 0.0}, {});
+  const SunIrradiance sun = simulate_sun(test::context, scene, {false, 0.0}, {});
   EXPECT_NEAR(illuminance_lux(sun.extraterrestrial, sun.wavelengths), 133.1e3, 0.2e3);
   EXPECT_NEAR(broadband_W_m2(sun.extraterrestrial, sun.wavelengths), 662.0, 0.5);
 }
 
 TEST(SunIrradiance, RefusesWhatItCannotDo) {
   const auto refused = [](const SkyScene& scene, const SunIrradianceOptions& options) {
-    EXPECT_THROW(simulate_sun(scene, options, {}), InputError);
+    EXPECT_THROW(simulate_sun(test::context, scene, options, {}), InputError);
   };
   refused(scene_at(97.0), {});
   refused(scene_at(181.0), {false, 0.0});
@@ -202,7 +200,7 @@ TEST(SunIrradiance, RefusesWhatItCannotDo) {
   SkyScene high = scene_at(45.0);
   high.altitudes_km = {31.0};
   refused(high, {});
-  EXPECT_NO_THROW(simulate_sun(scene_at(97.0), {false, 0.0}, {}));
+  EXPECT_NO_THROW(simulate_sun(test::context, scene_at(97.0), {false, 0.0}, {}));
 }
 
 }  // namespace
