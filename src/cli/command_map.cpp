@@ -86,9 +86,9 @@ Provenance provenance_of(const Context& context, const MapOptions& options, cons
   return provenance;
 }
 
-SkyMap simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
+SkyMap simulate(Context context, const SkyScene& scene, const TransferOptions& transfer) {
   Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
   return simulate_sky(context, scene, transfer).front();
 }
 

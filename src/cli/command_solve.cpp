@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "skylut/core/json_reader.hpp"
 #include "number_options.hpp"
+#include "program_context.hpp"
+#include "skylut/cases/solve_case.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/cases/solve_case.hpp"
+#include "skylut/core/json_reader.hpp"
 #include "skylut/core/text.hpp"
 
 namespace skylut::cli {
@@ -25,24 +26,27 @@ struct SolveArguments {
   Quality quality = Quality::standard;
   std::vector<std::string> limits;  // NAME=VALUE
   SolveOptions options;
+  int threads = 0;
 };
 
-QualityLimits quality_limits(const SolveArguments& arguments) {
-  QualityLimits limits = limits_of(arguments.quality);
+DiscretisationOptions discretisation(const SolveArguments& arguments) {
+  DiscretisationOptions chosen = discretisation_of(arguments.quality);
   for (const std::string& text : arguments.limits) {
     const std::vector<std::string> parts = split(text, '=');
     if (parts.size() != 2)
       throw InputError("--limit '{}': must be NAME=VALUE, for example optical-step=0.01", text);
     constexpr double kAny = std::numeric_limits<double>::max();
-    set_limit(limits, parts[0], parse_number("--limit " + parts[0], parts[1], {-kAny, kAny, ""}));
+    set_discretisation(chosen, parts[0], parse_number("--limit " + parts[0], parts[1], {-kAny, kAny, ""}));
   }
-  return limits;
+  return chosen;
 }
 
 void run(SolveArguments& arguments) {
-  arguments.options.limits = quality_limits(arguments);
+  arguments.options.discretisation = discretisation(arguments);
+  Context context = program_context();
+  context.threads = arguments.threads;
   const nlohmann::ordered_json answer =
-      solve_case(read_json_file(arguments.input), arguments.input, arguments.options);
+      solve_case(context, read_json_file(arguments.input), arguments.input, arguments.options);
   const std::string text = answer.dump(1) + "\n";
   if (arguments.output.empty())
     fmt::print("{}", text);
@@ -76,7 +80,7 @@ void add_solve_command(CLI::App& app) {
   command->add_option("--seed", options.seed, "Monte Carlo: seed, default 1");
   command->add_option("--orders", options.orders, "Highest order of scattering; 0, the default: all")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--threads", options.threads, "Threads; 0, the default: all cores")
+  command->add_option("--threads", arguments->threads, "Threads; 0, the default: all cores")
       ->check(CLI::NonNegativeNumber);
   command->callback([arguments] { run(*arguments); });
 }

@@ -81,10 +81,10 @@ Provenance provenance_of(const Context& context, const CommandOptions& options, 
   return provenance;
 }
 
-SunIrradiance simulate(const Context& context, const SkyScene& scene, const CommandOptions& options,
-                       TransferOptions transfer) {
+SunIrradiance simulate(Context context, const SkyScene& scene, const CommandOptions& options,
+                       const TransferOptions& transfer) {
   Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
   return simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg}, transfer);
 }
 

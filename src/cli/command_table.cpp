@@ -97,9 +97,9 @@ void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps, const P
     write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i], provenance));
 }
 
-std::vector<SkyMap> simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
+std::vector<SkyMap> simulate(Context context, const SkyScene& scene, const TransferOptions& transfer) {
   Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
   return simulate_sky(context, scene, transfer);
 }
 

@@ -1,6 +1,7 @@
 #include "program_context.hpp"
 
 #include <cstdlib>
+#include <string_view>
 
 #include "skylut/core/errors.hpp"
 
@@ -30,12 +31,23 @@ fs::path cache_folder() {
   return {};
 }
 
+Simd simd_of_environment() {
+  const char* const wanted = std::getenv("SKYLUT_SIMD");
+  if (wanted == nullptr) return Simd::best;
+  const std::string_view name = wanted;
+  if (name == "sse2" || name == "portable") return Simd::portable;
+  if (name == "avx2") return Simd::avx2;
+  if (name == "avx512") return Simd::avx512;
+  throw InputError("SKYLUT_SIMD={}: must be sse2, avx2 or avx512", wanted);
+}
+
 }  // namespace
 
 Context program_context() {
   Context context;
   context.data_folder = data_folder();
   context.cache_folder = cache_folder();
+  context.simd = simd_of_environment();
   return context;
 }
 

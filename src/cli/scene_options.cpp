@@ -163,8 +163,7 @@ AtmosphereDescription SceneOptions::atmosphere() const {
 
 TransferOptions SceneOptions::transfer() const {
   TransferOptions options;
-  options.limits = limits_of(parse_quality(quality_));
-  options.threads = threads_;
+  options.discretisation = discretisation_of(parse_quality(quality_));
   return options;
 }
 

@@ -8,13 +8,14 @@
 
 namespace skylut {
 
+struct Context;
+
 enum class SolveMethod { standard, monte_carlo };
 
 struct SolveOptions {
   SolveMethod method = SolveMethod::standard;
-  QualityLimits limits = limits_of(Quality::standard);  ///< of the spherical solver only
-  int orders = 0;                       ///< 0: all
-  int threads = 0;
+  DiscretisationOptions discretisation = discretisation_of(Quality::standard);  ///< of the spherical solver
+  int orders = 0;                                                               ///< 0: all
   std::uint64_t photons = 100'000;  ///< Monte Carlo, per direction
   std::uint64_t seed = 1;
 };
@@ -30,7 +31,7 @@ struct SolveOptions {
 /// @param document  parsed file; `path` names it in messages
 /// @throws InputError  naming file, key, value and what would be right
 /// @throws WorkError   for a class of problem that no solver here can do
-nlohmann::ordered_json solve_case(const nlohmann::ordered_json& document, const std::string& path,
-                                  const SolveOptions& options);
+nlohmann::ordered_json solve_case(const Context& context, const nlohmann::ordered_json& document,
+                                  const std::string& path, const SolveOptions& options);
 
 }  // namespace skylut

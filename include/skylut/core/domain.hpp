@@ -38,6 +38,7 @@ inline constexpr Range kHumidity_percent{0.0, 99.0, "%"};
 inline constexpr Range kGroundHeight_m{-500.0, 9000.0, "m"};  ///< of the ground above the ellipsoid
 /// Spherical solvers: below, their accuracy is not what is stated for the Earth (+0.3 to +1.6 % at 100 km).
 inline constexpr Range kPlanetRadius_km{1000.0, 1e9, "km"};
+inline constexpr Range kLevel_km{0.0, 1e4, "km"};           ///< of a layer, above the ground
 inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};  ///< half angle of the cone around the sun
 inline constexpr Range kThreads{0.0, 1024.0, ""};           ///< 0: one per core
 inline constexpr Range kAngstromExponent{-1.0, 4.2,

@@ -2,8 +2,9 @@
 
 #include "diffuse_field.hpp"
 
-// Radiance along one line of sight for all suns and azimuths that share it: the diffuse field's source by
-// its moments, and the sun's single scattering exactly. [theory.md §4.6, L1-L4]
+// A block of lanes from its optics to a solved diffuse field (solve_block, at the end), and from that the
+// radiance along one line of sight for all suns and azimuths that share it: the diffuse field's source by its
+// moments, and the sun's single scattering exactly. [theory.md §4.6, L1-L4]
 
 namespace skylut::transfer {
 
@@ -37,20 +38,28 @@ inline V mean_attenuation(V a0, V a1) {
   return select<V>(steep, (exp_minus(a0) - exp_minus(a1)) / select<V>(steep, t, broadcast<V>(1.0f)), mean);
 }
 
+/// Whether a pair interpolates from a sun node. (A template as everything here: each build has its own.)
+template <class V>
+struct NodeUse {
+  bool wanted = false;
+};
+
 /// Scratch space of a line of sight.
 template <class V>
 struct RayScratch {
   RayScratch(const SweepView& grid, const RayView& ray, const DiffuseRayView& diffuse)
       : far_depth(static_cast<std::size_t>(ray.pairs)),
-        degree_weight(static_cast<std::size_t>(diffuse.sources * grid.degrees)),
+        degree_weight(static_cast<std::size_t>(diffuse.sources * grid.legendre_terms)),
         direction_weight(static_cast<std::size_t>(grid.moments)),
-        source_orders(static_cast<std::size_t>(grid.sun_nodes * grid.azimuthal_orders)),
+        source_azimuthal_orders(static_cast<std::size_t>(grid.sun_nodes * grid.azimuthal_orders)),
+        node_use(static_cast<std::size_t>(grid.sun_nodes)),
         radiance(static_cast<std::size_t>(ray.pairs)) {}
-  LaneArray<V> far_depth;         // observer to point to sun, at the end of the last lit part [pair]
-  LaneArray<V> degree_weight;     // see weigh_sources [source][degree]
-  LaneArray<V> direction_weight;  // the same times Λ_lm(μ), at one source [moment]
-  LaneArray<V> source_orders;     // [sun node][m]
-  LaneArray<V> radiance;          // [pair]
+  LaneArray<V> far_depth;                // observer to point to sun, at the end of the last lit part [pair]
+  LaneArray<V> degree_weight;            // see weigh_sources [source][degree]
+  LaneArray<V> direction_weight;         // the same times Λ_lm(μ), at one source [moment]
+  LaneArray<V> source_azimuthal_orders;  // [sun node][m]
+  LaneArray<NodeUse<V>> node_use;        // at one source [sun node]
+  LaneArray<V> radiance;                 // [pair]
 };
 
 /// What the medium's scattering towards the sun's neighbourhood gains and loses because the truncated peak
@@ -67,13 +76,17 @@ inline V spread_scattering(const float* scattering_per_km, std::ptrdiff_t stride
   return gained * m;
 }
 
-/// Single scattering of the sun for all pairs, segment by segment, so that what they look up of the sun's
-/// depth lies close together. [L1, L2, L5]
+/// Single scattering of the sun for all pairs. A point at the distance s scatters β_sca P(Θ)/4π of the beam
+/// that reaches it, e^-τ(point to sun), towards the observer, and e^-τ(observer to point) of that arrives:
+///   I₁ = (1/4π) Σ_i P_i(Θ) ∫ β_sca,i e^-a ds,  a = τ(observer to point) + τ(point to sun),
+/// Θ being the same all along a straight ray. On a lit part β_sca is constant and a goes linearly from a0 to
+/// a1 (mean_attenuation). Segment by segment, so that what the pairs look up of the sun's depth lies close
+/// together. [L1, L2, L5]
 template <class V>
 inline void single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                              const float* phases, const float* peaks, const SunDepth<V>& sun_depth,
-                              const SunDepth<V>& sun_peak_depth, RayScratch<V>& scratch, V* out) {
-  const std::ptrdiff_t stride = grid.sun_depth.layers * kLaneCount<V>;
+                              const float* phases, const float* peaks, const SlantDepthToSun<V>& slant_depth,
+                              const SlantDepthToSun<V>& slant_peak_depth, RayScratch<V>& scratch, V* out) {
+  const std::ptrdiff_t stride = grid.slant_depth.layers * kLaneCount<V>;
   V* const far_depth = scratch.far_depth.data();
   V depth{};
   V peak_depth{};
@@ -84,7 +97,7 @@ inline void single_scattering(const SweepView& grid, const OpticsView& optics, c
     const float* scattering_per_km = optics.scattering_per_km + layer * kLaneCount<V>;
     for (int part = ray.first_lit[segment]; part < ray.first_lit[segment + 1]; ++part) {
       const LitPart& lit = ray.lit[part];
-      const SunDepthTaps& far_end = ray.lit_end[lit.near_end + 1];
+      const SlantDepthWeights& far_end = ray.lit_end[lit.near_end + 1];
       const float* phase = phases + lit.pair * optics.scatterers * kLaneCount<V>;
       V scattering{};
       for (int s = 0; s < optics.scatterers; ++s)
@@ -92,13 +105,15 @@ inline void single_scattering(const SweepView& grid, const OpticsView& optics, c
       if (ray.aureole[lit.pair] >= 0)
         scattering += spread_scattering(
             scattering_per_km, stride, peaks + ray.aureole[lit.pair] * 2 * optics.scatterers * kLaneCount<V>,
-            optics.scatterers, peak_depth + peak * (lit.start_km + lit.length_km) + sun_peak_depth(far_end));
+            optics.scatterers,
+            peak_depth + peak * (lit.start_km + lit.length_km) + slant_peak_depth(far_end));
       const V start_depth = depth + beta * lit.start_km;
       const V near_depth =
-          lit.continues ? far_depth[lit.pair] : start_depth + sun_depth(ray.lit_end[lit.near_end]);
-      const V end_depth = start_depth + beta * lit.length_km + sun_depth(far_end);
+          lit.continues ? far_depth[lit.pair] : start_depth + slant_depth(ray.lit_end[lit.near_end]);
+      const V end_depth = start_depth + beta * lit.length_km + slant_depth(far_end);
       far_depth[lit.pair] = end_depth;
-      out[lit.pair] += scattering * mean_attenuation(near_depth, end_depth) * (lit.length_km * 0.0795774715f);
+      out[lit.pair] +=
+          scattering * mean_attenuation(near_depth, end_depth) * (lit.length_km * kInverseFourPi);
     }
     depth += beta * ray.segment[segment].length_km;
     peak_depth += peak * ray.segment[segment].length_km;
@@ -121,10 +136,10 @@ inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const
     const V near = transmission * (weights.local * (1.0f - piece.near_fraction) +
                                    weights.upwind * (1.0f - piece.far_fraction));
     const V far = transmission * (weights.local * piece.near_fraction + weights.upwind * piece.far_fraction);
-    const float* factor = optics.layers.source_factor + piece.layer * grid.degrees * kLaneCount<V>;
-    V* const at_near = degree_weight.data() + piece.source * grid.degrees;
-    V* const at_far = at_near + grid.degrees;
-    for (int l = 0; l < grid.degrees; ++l) {
+    const float* factor = optics.layers.source_factor + piece.layer * grid.legendre_terms * kLaneCount<V>;
+    V* const at_near = degree_weight.data() + piece.source * grid.legendre_terms;
+    V* const at_far = at_near + grid.legendre_terms;
+    for (int l = 0; l < grid.legendre_terms; ++l) {
       at_near[l] += near * load<V>(factor + l * kLaneCount<V>);
       at_far[l] += far * load<V>(factor + l * kLaneCount<V>);
     }
@@ -135,20 +150,20 @@ inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const
 /// Contribution of one source point before its azimuth is known: azimuthal orders under the wanted sun nodes.
 /// [M3]
 template <class V>
-inline void source_orders(const SweepView& grid, const DiffuseRayView& diffuse, const Solution<V>& field,
-                          int at, const bool* wanted, RayScratch<V>& scratch) {
+inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView& diffuse,
+                                    const Solution<V>& field, int at, RayScratch<V>& scratch) {
   const SourcePoint& source = diffuse.source[at];
   const float* polar = diffuse.polar_moment + at * grid.moments;
-  const V* degree = scratch.degree_weight.data() + at * grid.degrees;
+  const V* degree = scratch.degree_weight.data() + at * grid.legendre_terms;
   V* const direction = scratch.direction_weight.data();
   for (int i = 0; i < grid.moments; ++i) direction[i] = degree[grid.moment_degree[i]] * polar[i];
 
   const bool between = source.fraction > 0.0f && source.fraction < 1.0f;
   const int level = source.fraction < 1.0f ? source.sublayer : source.sublayer + 1;
   for (int node = 0; node < grid.sun_nodes; ++node) {
-    if (!wanted[node]) continue;
+    if (!scratch.node_use.data()[node].wanted) continue;
     const V* lower = field.moments(level, node);
-    V* orders = scratch.source_orders.data() + node * grid.azimuthal_orders;
+    V* orders = scratch.source_azimuthal_orders.data() + node * grid.azimuthal_orders;
     for (int m = 0; m < grid.azimuthal_orders; ++m) {
       V sum{};
       for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * lower[i];
@@ -172,18 +187,18 @@ inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, 
   weigh_sources(grid, optics, diffuse, scratch.degree_weight);
   const int stride = grid.azimuthal_orders;
   for (int at = 0; at < diffuse.sources; ++at) {
-    const Taps* taps = diffuse.sun_taps[at];
+    const InterpolationWeights* suns = diffuse.sun_weights[at];
     const float* azimuth = diffuse.azimuth_factor[at];
-    bool wanted[128] = {};
+    scratch.node_use.fill({});
     for (int pair = 0; pair < ray.pairs; ++pair)
-      for (int t = 0; t < 4; ++t) wanted[taps[pair].first + t] = true;
-    source_orders(grid, diffuse, field, at, wanted, scratch);
+      for (int t = 0; t < 4; ++t) scratch.node_use.data()[suns[pair].first + t].wanted = true;
+    source_azimuthal_orders(grid, diffuse, field, at, scratch);
     for (int pair = 0; pair < ray.pairs; ++pair, azimuth += diffuse.azimuth_stride) {
-      const V* order = scratch.source_orders.data() + taps[pair].first * stride;
+      const V* order = scratch.source_azimuthal_orders.data() + suns[pair].first * stride;
       V at_node[4] = {};
       for (int m = 0; m < stride; ++m)
         for (int t = 0; t < 4; ++t) at_node[t] += order[t * stride + m] * azimuth[m];
-      for (int t = 0; t < 4; ++t) out[pair] += at_node[t] * taps[pair].weight[t];
+      for (int t = 0; t < 4; ++t) out[pair] += at_node[t] * suns[pair].weight[t];
     }
   }
 }
@@ -191,30 +206,38 @@ inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, 
 /// Adds the light of the ground at the ray's end. [L4]
 template <class V>
 inline void ground_in_view(const OpticsView& optics, const RayView& ray, const DiffuseRayView& diffuse,
-                           const SunDepth<V>& sun_depth, const Solution<V>& field, V* out) {
+                           const SlantDepthToSun<V>& slant_depth, const Solution<V>& field, V* out) {
   V depth{};
   for (int segment = 0; segment < ray.segments; ++segment)
     depth += load<V>(optics.layers.extinction_per_km + ray.segment[segment].layer * kLaneCount<V>) *
              ray.segment[segment].length_km;
-  const V reflected = exp_minus(depth) * load<V>(optics.ground_albedo) * 0.318309886f;
+  const V reflected = exp_minus(depth) * load<V>(optics.ground_albedo) * kInversePi;
   for (int pair = 0; pair < ray.pairs; ++pair) {
-    const Taps& taps = diffuse.sun_taps[diffuse.sources - 1][pair];
+    const InterpolationWeights& suns = diffuse.sun_weights[diffuse.sources - 1][pair];
     V irradiance{};
-    for (int t = 0; t < 4; ++t) irradiance += field.ground_irradiance.data()[taps.first + t] * taps.weight[t];
+    for (int t = 0; t < 4; ++t) irradiance += field.ground_irradiance.data()[suns.first + t] * suns.weight[t];
     if (ray.ground_sun_cosine[pair] > 0.0f)
-      irradiance += exp_minus(sun_depth(ray.ground_sun[pair])) * ray.ground_sun_cosine[pair];
+      irradiance += exp_minus(slant_depth(ray.ground_sun[pair])) * ray.ground_sun_cosine[pair];
     out[pair] += reflected * irradiance;
   }
+}
+
+/// Where the diffuse light falls by orders of magnitude from one sun node to the next (deep twilight over a
+/// low top of the atmosphere, when the earth's shadow covers all of the air), cubic interpolation between the
+/// nodes undershoots. Light is never negative: what comes out so is night. [theory.md §5]
+template <class V>
+inline V without_undershoot(V radiance) {
+  return select<V>(radiance < 0.0f, V{}, radiance);
 }
 
 template <class V>
 class SolvedLanes final : public SolvedBlock {
  public:
-  SolvedLanes(const SweepView& grid, const OpticsView& optics, SunDepth<V>&& sun_depth,
+  SolvedLanes(const SweepView& grid, const OpticsView& optics, SlantDepthToSun<V>&& slant_depth,
               DiffuseField<V>& field)
       : optics_(optics),
-        sun_depth_(static_cast<SunDepth<V>&&>(sun_depth)),
-        sun_peak_depth_(grid.sun_depth, optics.peak_per_km),
+        slant_depth_(static_cast<SlantDepthToSun<V>&&>(slant_depth)),
+        slant_peak_depth_(grid.slant_depth, optics.peak_per_km),
         solution_{grid, field.take_moments(), field.take_ground_irradiance()} {}
 
   /// Radiance of the ray for every pair: L1 + L3 + L4.
@@ -223,26 +246,28 @@ class SolvedLanes final : public SolvedBlock {
     const SweepView& grid = solution_.grid;
     RayScratch<V> scratch(grid, ray, diffuse);
     V* out = scratch.radiance.data();
-    single_scattering(grid, optics_, ray, phase, peaks, sun_depth_, sun_peak_depth_, scratch, out);
+    single_scattering(grid, optics_, ray, phase, peaks, slant_depth_, slant_peak_depth_, scratch, out);
     diffuse_scattering(grid, optics_, ray, diffuse, solution_, scratch, out);
-    if (ray.hits_ground) ground_in_view(optics_, ray, diffuse, sun_depth_, solution_, out);
-    __builtin_memcpy(radiance, out, static_cast<std::size_t>(ray.pairs) * sizeof(V));
+    if (ray.hits_ground) ground_in_view(optics_, ray, diffuse, slant_depth_, solution_, out);
+    for (int pair = 0; pair < ray.pairs; ++pair)
+      store(without_undershoot(out[pair]), radiance + pair * kLaneCount<V>);
   }
 
  private:
   OpticsView optics_;
-  SunDepth<V> sun_depth_;
-  SunDepth<V> sun_peak_depth_;  // of the forward peak that delta-M cuts off
+  SlantDepthToSun<V> slant_depth_;
+  SlantDepthToSun<V> slant_peak_depth_;  // of the forward peak that delta-M cuts off
   Solution<V> solution_;
 };
 
 template <class V>
 inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
-                                const IterationLimits& limits) {
-  SunDepth<V> sun_depth(grid.sun_depth, optics.layers.extinction_per_km);
-  DiffuseField<V> field(grid, optics, sun_depth);
-  return field.solve(limits) ? new SolvedLanes<V>(grid, optics, static_cast<SunDepth<V>&&>(sun_depth), field)
-                             : nullptr;
+                                const IterationLimits& limits, IterationReport& report) {
+  SlantDepthToSun<V> slant_depth(grid.slant_depth, optics.layers.extinction_per_km);
+  DiffuseField<V> field(grid, optics, slant_depth);
+  report = field.solve(limits);
+  if (report.end != IterationReport::kConverged) return nullptr;
+  return new SolvedLanes<V>(grid, optics, static_cast<SlantDepthToSun<V>&&>(slant_depth), field);
 }
 
 }  // namespace skylut::transfer

@@ -15,8 +15,8 @@ namespace skylut::plane_parallel {
 /// over the air above the output depth τ, and μ0' = μ0/(1 - fω):
 ///   ΔI = (fω)²/(1-fω) / 4π · Σ (2l+1)(2 g_l - g_l²) P_l(cosΘ) · ∫₀^τ (t/μ0') e^{-t/μ0'} e^{-(τ-t)/μ} dt/μ
 /// @param radiance  same layout as PlaneParallelResult::radiance
-void correct_aureole(const OpticalColumn& column, const ScaledMedium& medium,
-                     const PlaneParallelRequest& request, std::vector<double>& radiance);
+void correct_forward_peak(const OpticalColumn& column, const ScaledMedium& medium,
+                          const PlaneParallelRequest& request, std::vector<double>& radiance);
 
 /// ∫₀^τ t e^{-at} e^{-b(τ-t)} dt, also for a = b.
 double twice_scattered_path(double a, double b, double depth);

@@ -17,22 +17,25 @@ namespace skylut::transfer {
 /// whole line through its lowest point less the part above X: half-lines from every lowest altitude p are
 /// tabulated within each layer against u = √((h_top - p)/(h_top - h_bottom)), in which the square root
 /// with which a path begins at a layer's boundary is a straight line.
-class SunDepthGrid {
+class SlantDepthGrid {
  public:
-  explicit SunDepthGrid(const ShellGeometry& layers);
+  explicit SlantDepthGrid(const ShellGeometry& layers);
 
   /// Interpolation of the depth from a point to the sun. The sun must reach the point.
   /// @param altitude_km    of the point, 0 to the top
-  /// @param sun_height_km  s = (R + h) cos(local solar zenith angle)
-  SunDepthTaps taps(double altitude_km, double sun_height_km) const;
+  /// @param along_sun_km  s = (R + h) cos(local solar zenith angle)
+  SlantDepthWeights weights(double altitude_km, double along_sun_km) const;
 
   /// The same for a direction: the sun at a local zenith angle. Not lit in the planet's shadow.
-  SunDepthTaps taps_towards(double altitude_km, double cos_sun_zenith) const;
+  SlantDepthWeights weights_towards(double altitude_km, double cos_sun_zenith) const;
 
   /// Lowest altitude of the sunbeam's line through a point; at most the point's own.
-  double perigee_km(double altitude_km, double sun_height_km) const;
+  double perigee_km(double altitude_km, double along_sun_km) const;
 
-  SunDepthView view() const;
+  SlantDepthView view() const;
+
+  /// Entries of both tables, each of them a path through every layer.
+  static double points(double layers);
 
  private:
   std::vector<float> path_to_sun(double altitude_km, double cos_zenith, double scale) const;
@@ -40,8 +43,8 @@ class SunDepthGrid {
   const ShellGeometry* layers_;
   double scale_km_;  // w0
   double last_x_;
-  std::vector<float> rising_path_km_;  // [level][node][layer], times w + w0
-  std::vector<float> half_path_km_;    // [layer][node][layer]
+  std::vector<float> from_level_path_km_;    // [level][node][layer], times w + w0
+  std::vector<float> from_perigee_path_km_;  // [layer][node][layer]
 };
 
 }  // namespace skylut::transfer

@@ -1,11 +1,9 @@
-#include "medium.hpp"
+#include "common_grid.hpp"
 
 namespace skylut::transfer {
 
-namespace {
-
-/// Local solar zenith angles that carry the diffuse field: dense at the terminator, where it changes by
-/// orders of magnitude, and beyond the largest sun by what a horizontal ray can cover (√(2·100/6371) = 10°).
+// Dense at the terminator, where it changes by
+// orders of magnitude, and beyond the largest sun by what a horizontal ray can cover (√(2·100/6371) = 10°).
 std::vector<double> sun_nodes(int density) {
   if (density == 0)
     return {0,  10,   20, 30,   40, 50,   58, 65, 70, 74,    77,   80,    82, 84, 85.5, 87, 88,
@@ -27,15 +25,13 @@ std::vector<double> sun_nodes(int density) {
   return nodes;
 }
 
-}  // namespace
-
-Medium::Medium(const Shells& shells_, const QualityLimits& limits_)
-    : limits(limits_),
+CommonGrid::CommonGrid(const Shells& shells_, const DiscretisationOptions& discretisation_)
+    : discretisation(discretisation_),
       shells(shells_),
       layers(shells.levels_km, shells.planet_radius_km),
-      merge(shells, !limits.merge_layers),
-      sun_depth(layers),
-      sun_nodes_deg(sun_nodes(limits.sun_node_density)),
+      merge(shells, !discretisation.merge_layers),
+      slant_depth(layers),
+      sun_nodes_deg(sun_nodes(discretisation.sun_node_density)),
       sun_interpolation(sun_nodes_deg) {}
 
 }  // namespace skylut::transfer

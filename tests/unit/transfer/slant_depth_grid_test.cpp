@@ -1,4 +1,4 @@
-#include "spherical/sun_depth_grid.hpp"
+#include "spherical/slant_depth_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ class SunDepthOf : public testing::TestWithParam<Case> {
       extinction.push_back(GetParam().depth *
                            (std::exp(-levels[i] / scale) - std::exp(-levels[i + 1] / scale)) /
                            (levels[i + 1] - levels[i]));
-    grid = std::make_unique<SunDepthGrid>(*layers);
+    grid = std::make_unique<SlantDepthGrid>(*layers);
   }
   double table(const float* path, int point) const {
     double sum = 0.0;
@@ -37,18 +37,20 @@ class SunDepthOf : public testing::TestWithParam<Case> {
       sum += extinction[layer] * path[static_cast<std::size_t>(point) * extinction.size() + layer];
     return sum;
   }
-  double interpolated(const SunDepthTaps& taps) const {
-    const SunDepthView view = grid->view();
-    double depth = extinction[static_cast<std::size_t>(taps.layer)] * taps.to_level_km;
-    for (int t = 0; t < 4; ++t) depth += taps.rising_weight[t] * table(view.rising_path_km, taps.rising + t);
-    if (taps.half < 0) return depth;
+  double interpolated(const SlantDepthWeights& weights) const {
+    const SlantDepthView view = grid->view();
+    double depth = extinction[static_cast<std::size_t>(weights.layer)] * weights.to_level_km;
+    for (int t = 0; t < 4; ++t)
+      depth += weights.from_level_weight[t] * table(view.from_level_path_km, weights.from_level + t);
+    if (weights.from_perigee < 0) return depth;
     double whole = 0.0;
-    for (int t = 0; t < 4; ++t) whole += taps.half_weight[t] * table(view.half_path_km, taps.half + t);
+    for (int t = 0; t < 4; ++t)
+      whole += weights.from_perigee_weight[t] * table(view.from_perigee_path_km, weights.from_perigee + t);
     return whole - depth;
   }
   std::unique_ptr<ShellGeometry> layers;
   std::vector<double> extinction;
-  std::unique_ptr<SunDepthGrid> grid;
+  std::unique_ptr<SlantDepthGrid> grid;
 };
 
 // Against the sum over the exact paths, at random points and sun angles from the zenith to the shadow's edge.
@@ -67,10 +69,10 @@ TEST_P(SunDepthOf, MatchesTheExactPaths) {
     if (!layers->path_to_top(altitude, cosine, length)) continue;
     if (cosine < 0.0) ++from_below;
     const double exact = std::inner_product(length.begin(), length.end(), extinction.begin(), 0.0);
-    const SunDepthTaps taps = grid->taps_towards(altitude, cosine);
-    ASSERT_NE(taps.rising, kShadow);
+    const SlantDepthWeights weights = grid->weights_towards(altitude, cosine);
+    ASSERT_NE(weights.from_level, kShadow);
     const double light_left = std::min(1.0, std::exp(3.0 - exact));
-    EXPECT_NEAR(interpolated(taps) * light_left, exact * light_left, 3e-4) << altitude << " " << cosine;
+    EXPECT_NEAR(interpolated(weights) * light_left, exact * light_left, 3e-4) << altitude << " " << cosine;
   }
   if (GetParam().planet_km < 1e5) {
     EXPECT_GT(from_below, 100);
@@ -78,9 +80,9 @@ TEST_P(SunDepthOf, MatchesTheExactPaths) {
 }
 
 TEST_P(SunDepthOf, TheShadowIsDark) {
-  EXPECT_EQ(grid->taps_towards(0.0, -1e-6).rising, kShadow);
-  EXPECT_EQ(grid->taps_towards(10.0, -0.9).rising, kShadow);
-  EXPECT_NE(grid->taps_towards(0.0, 0.0).rising, kShadow);
+  EXPECT_EQ(grid->weights_towards(0.0, -1e-6).from_level, kShadow);
+  EXPECT_EQ(grid->weights_towards(10.0, -0.9).from_level, kShadow);
+  EXPECT_NE(grid->weights_towards(0.0, 0.0).from_level, kShadow);
 }
 
 INSTANTIATE_TEST_SUITE_P(Media, SunDepthOf,

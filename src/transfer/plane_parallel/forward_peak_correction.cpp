@@ -1,4 +1,4 @@
-#include "aureole_correction.hpp"
+#include "forward_peak_correction.hpp"
 
 #include <cmath>
 
@@ -74,23 +74,22 @@ double twice_scattered_path(double a, double b, double depth) {
   return depth * depth * (std::exp(-a * depth) * (y - 1.0) + std::exp(-b * depth)) / (y * y);
 }
 
-void correct_aureole(const OpticalColumn& column, const ScaledMedium& medium,
-                     const PlaneParallelRequest& request, std::vector<double>& radiance) {
+void correct_forward_peak(const OpticalColumn& column, const ScaledMedium& medium,
+                          const PlaneParallelRequest& request, std::vector<double>& radiance) {
   std::size_t at = 0;
   for (std::size_t bound : medium.output_bounds) {
     const Peak peak = mean_peak(column, medium, bound);
     const double rate = (1.0 - peak.strength) / request.cos_sun_zenith;  // 1/μ0'
     const double scale = peak.strength * peak.strength / (1.0 - peak.strength) / (4.0 * kPi);
-    for (double cos_view : request.cos_views) {
-      const double mu = std::abs(cos_view);
-      const double path = twice_scattered_path(rate, 1.0 / mu, medium.boundary_depth[bound]) * rate / mu;
-      for (double azimuth : request.relative_azimuths_rad) {
-        if (cos_view < 0.0 && peak.strength >= kNegligiblePeak) {
-          const double angle = cos_scattering_angle(cos_view, request.cos_sun_zenith, azimuth);
-          radiance[at] -= scale * path * legendre_sum(peak.series, angle);
-        }
-        ++at;
+    for (const PlaneDirection& direction : request.directions) {
+      if (direction.cos_view < 0.0 && peak.strength >= kNegligiblePeak) {
+        const double mu = -direction.cos_view;
+        const double path = twice_scattered_path(rate, 1.0 / mu, medium.boundary_depth[bound]) * rate / mu;
+        const double angle =
+            cos_scattering_angle(direction.cos_view, request.cos_sun_zenith, direction.relative_azimuth_rad);
+        radiance[at] -= scale * path * legendre_sum(peak.series, angle);
       }
+      ++at;
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "peak_spread.hpp"
+#include "forward_peak_correction.hpp"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ constexpr int kMostTerms = 600;
 
 }  // namespace
 
-PeakSpread::PeakSpread(const PhaseFunction& phase, int max_l) {
+ForwardPeakCorrection::ForwardPeakCorrection(const PhaseFunction& phase, int max_l) {
   const double peak = phase.moment(max_l + 1);
   if (peak < kLeastPeak) return;
   for (int l = 0; l <= kMostTerms; ++l) {
@@ -26,7 +26,7 @@ PeakSpread::PeakSpread(const PhaseFunction& phase, int max_l) {
   }
 }
 
-PeakSpread::Coefficients PeakSpread::at(std::span<const double> legendre) const {
+ForwardPeakCorrection::Coefficients ForwardPeakCorrection::at(std::span<const double> legendre) const {
   Coefficients sum;
   for (std::size_t l = 0; l < term_.size(); ++l) {
     sum.first += term_[l].first * legendre[l];

@@ -16,10 +16,10 @@ namespace skylut::transfer {
 ///   c_l e^-m (e^{m p_l} - 1)/(m p_l),   c_l = f p_l,
 /// instead of c_l. The terms of order m and m² are kept: P - m Q1 + m² Q2/2. The term of order m is what the
 /// IMS correction of Nakajima & Tanaka 1988 (eqs. 62-68) adds in plane layers. [theory.md §4.6, L5]
-class PeakSpread {
+class ForwardPeakCorrection {
  public:
   /// @param max_l  L: the highest degree that is kept
-  PeakSpread(const PhaseFunction& phase, int max_l);
+  ForwardPeakCorrection(const PhaseFunction& phase, int max_l);
 
   /// Q1 = Σ (2l+1) c_l (1 - p_l/2) P_l(cosΘ), Q2 = Σ (2l+1) c_l (1 - p_l + p_l²/3) P_l(cosΘ).
   struct Coefficients {

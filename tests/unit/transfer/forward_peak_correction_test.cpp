@@ -1,4 +1,4 @@
-#include "spherical/peak_spread.hpp"
+#include "spherical/forward_peak_correction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,10 +31,10 @@ double uncorrected(const PhaseFunction& phase, int max_l, double x) {
 }
 
 // Two orders of the series in m: what is left is of third order, m³/6 of the peak's part at most.
-TEST(PeakSpread, IsTheSeriesOfScatteringsCountedOnce) {
+TEST(ForwardPeakCorrection, IsTheSeriesOfScatteringsCountedOnce) {
   const HenyeyGreensteinPhaseFunction phase(0.85);
   constexpr int kMaxL = 14;
-  const PeakSpread spread(phase, kMaxL);
+  const ForwardPeakCorrection spread(phase, kMaxL);
   for (const double degrees : {0.0, 2.0, 5.0, 10.0, 20.0, 60.0}) {
     const double x = std::cos(degrees * std::acos(-1.0) / 180.0);
     const auto [first, second] = spread.at(normalised_legendre(0, static_cast<int>(spread.terms()) - 1, x));
@@ -53,10 +53,10 @@ TEST(PeakSpread, IsTheSeriesOfScatteringsCountedOnce) {
 
 // Light is neither made nor lost twice: of the peak's light, half of m is taken back (k scatterings were
 // counted k times), and that without regard to direction, since p_0 = 1.
-TEST(PeakSpread, TakesBackWhatWasCountedTwice) {
+TEST(ForwardPeakCorrection, TakesBackWhatWasCountedTwice) {
   const HenyeyGreensteinPhaseFunction phase(0.8);
   constexpr int kMaxL = 10;
-  const PeakSpread spread(phase, kMaxL);
+  const ForwardPeakCorrection spread(phase, kMaxL);
   double mean = 0.0;
   constexpr int kSteps = 20000;
   for (int i = 0; i < kSteps; ++i)
@@ -68,8 +68,8 @@ TEST(PeakSpread, TakesBackWhatWasCountedTwice) {
   EXPECT_NEAR(mean, 0.5 * phase.moment(kMaxL + 1), 1e-4);
 }
 
-TEST(PeakSpread, NothingToSpreadWithoutAPeak) {
-  const auto [first, second] = PeakSpread(RayleighPhaseFunction(), 2).at({});
+TEST(ForwardPeakCorrection, NothingToSpreadWithoutAPeak) {
+  const auto [first, second] = ForwardPeakCorrection(RayleighPhaseFunction(), 2).at({});
   EXPECT_EQ(first, 0.0);
   EXPECT_EQ(second, 0.0);
 }

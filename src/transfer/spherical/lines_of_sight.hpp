@@ -8,7 +8,7 @@
 namespace skylut::transfer {
 
 /// A line of sight wanted by a request: all views that share observer and zenith angle share its path.
-struct WantedRay {
+struct LineOfSight {
   std::size_t observer;
   double view_zenith_deg;
   std::vector<std::size_t> views;  ///< indices into the request
@@ -17,6 +17,6 @@ struct WantedRay {
   std::vector<SunAzimuth> pairs(const SkyRequest& request) const;
 };
 
-std::vector<WantedRay> wanted_rays(const SkyRequest& request);
+std::vector<LineOfSight> lines_of_sight(const SkyRequest& request);
 
 }  // namespace skylut::transfer
