@@ -228,6 +228,7 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
   const SkyRadiance radiance = solve_sky_radiance(context, read.shells, {&read.column, 1}, request, transfer);
   for (std::size_t i = 0; i < read.views.size(); ++i)
     write_radiance(answer["results"][i], static_cast<double>(radiance.at(0, 0, 0, i)), 0.0);
+  answer["instruction_set"] = radiance.report().kernel;
   if (options.orders > 0) {
     answer["orders"] = options.orders;
     answer["truncation_error"] = truncation_error(context, read, request, transfer, radiance);
