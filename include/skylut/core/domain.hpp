@@ -37,7 +37,7 @@ inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};     ///< half angle o
 inline constexpr Range kThreads{0.0, 1024.0, ""};              ///< 0: one per core
 inline constexpr Range kAngstromExponent{-1.0, 4.2, ""};       ///< small clear spheres scatter more steeply than λ^-4
 inline constexpr Range kLevel_km{0.0, 1e4, "km"};               ///< of a layer, above the ground
-inline constexpr Range kPlanetRadius_km{1000.0, 1e9, "km"};     ///< the largest is flat: for comparisons
+inline constexpr Range kPlanetRadius_km{500.0, 1e9, "km"};      ///< the largest is flat: for comparisons
 inline constexpr double kAtmosphereTop_km = 100.0;             ///< that every profile reaches
 inline constexpr double kLowestProfileTop_km = 10.0;           ///< a file's last level: continued from there on
 
