@@ -10,12 +10,13 @@
 #include "skylut/profile/profile.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
 #include "skylut/transfer/sky_radiance.hpp"
-#include "spherical/kernel_choice.hpp"
 #include "spherical/block_optics.hpp"
 #include "spherical/diffuse_ray.hpp"
 #include "spherical/discretisation.hpp"
+#include "spherical/kernel_choice.hpp"
 #include "spherical/ray_geometry.hpp"
 #include "spherical/sweep_tables.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -23,7 +24,8 @@ namespace {
 using namespace transfer;
 
 const Atmosphere& default_air() {
-  static const Atmosphere air(load_profile("ussa1976"), AtmosphereOptions{});
+  static const Atmosphere air(test::context, load_profile(test::context, context, "ussa1976"),
+                              AtmosphereOptions{});
   return air;
 }
 
@@ -45,8 +47,7 @@ struct OneBlock {
                                  .cancelled = nullptr,
                                  .token = nullptr};
     IterationReport report;
-    return std::unique_ptr<SolvedBlock>(
-        kernel.solve_block(tables.view(), optics.view(), limits, report));
+    return std::unique_ptr<SolvedBlock>(kernel.solve_block(tables.view(), optics.view(), limits, report));
   }
 
   LocalSun local_sun(const RayGeometry& geometry, const std::vector<SunAzimuth>& pairs) const {
@@ -67,7 +68,8 @@ void shared_geometry(benchmark::State& state) {
   const OpticalColumn column = default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)));
   for (auto _ : state) {
     const CommonGrid common(default_air().shells(), discretisation_of(Quality::standard));
-    benchmark::DoNotOptimize(std::make_unique<Discretisation>(common, discretisation_for(common.merge, common.discretisation, column)));
+    benchmark::DoNotOptimize(std::make_unique<Discretisation>(
+        common, discretisation_for(common.merge, common.discretisation, column)));
   }
 }
 BENCHMARK(shared_geometry)->Arg(0)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -25,10 +26,9 @@ double CrossSection::at_m2(double wavelength_nm, double temperature_K) const {
   if (!(wavelength_nm >= rows_.front().wavelength_nm && wavelength_nm <= rows_.back().wavelength_nm))
     throw InputError("wavelength {} nm: must lie within {}-{} nm of the cross-section", wavelength_nm,
                      rows_.front().wavelength_nm, rows_.back().wavelength_nm);
-  const auto above = std::upper_bound(rows_.begin() + 1, rows_.end() - 1, wavelength_nm,
-                                      [](double value, const Row& row) { return value < row.wavelength_nm; });
-  const Row& lower = *(above - 1);
-  const Row& upper = *above;
+  const std::size_t piece = piece_of(rows_, wavelength_nm, &Row::wavelength_nm);
+  const Row& lower = rows_[piece];
+  const Row& upper = rows_[piece + 1];
   const double part = (wavelength_nm - lower.wavelength_nm) / (upper.wavelength_nm - lower.wavelength_nm);
   const double t = std::clamp(temperature_K, lowest_K_, highest_K_) - reference_temperature_K_;
   const auto polynomial = [t](const Row& row) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 #include "spectral_table.hpp"
 
@@ -10,10 +11,10 @@ namespace skylut {
 
 namespace {
 
-LineAbsorption load(const char* file) {
+LineAbsorption load(const Context& context, const char* file) {
   constexpr std::size_t kColumns = 3 + LineAbsorption::kCoefficients;
   std::vector<LineAbsorption::Row> rows;
-  for (const std::vector<double>& cells : read_spectral_table(file, kColumns)) {
+  for (const std::vector<double>& cells : read_spectral_table(context, file, kColumns)) {
     LineAbsorption::Row row{cells[0], cells[1], cells[2], {}};
     std::copy(cells.begin() + 3, cells.end(), row.coefficient_m2.begin());
     rows.push_back(row);
@@ -39,7 +40,9 @@ LineAbsorption::LineAbsorption(std::vector<Row> rows) : rows_(std::move(rows)) {
 
 LineBand LineAbsorption::band(double wavelength_nm, double band_nm) const {
   const double lower_nm = wavelength_nm - 0.5 * band_nm;
-  const double upper_nm = wavelength_nm + 0.5 * band_nm;
+  // Nothing is known of what absorbs beyond the last whole nm: a band that reaches there is its part within.
+  const double upper_nm = std::min(wavelength_nm + 0.5 * band_nm, domain::kWavelength_nm.highest + 0.5);
+  const double width_nm = upper_nm - lower_nm;
   LineBand band;
   double absorbing = 0.0;  // part of the band
   double strength = 0.0;
@@ -47,7 +50,7 @@ LineBand LineAbsorption::band(double wavelength_nm, double band_nm) const {
     const double overlap_nm =
         std::min(upper_nm, row.wavelength_nm + 0.5) - std::max(lower_nm, row.wavelength_nm - 0.5);
     if (!(overlap_nm > 1e-9)) continue;
-    const double part = overlap_nm / band_nm;
+    const double part = overlap_nm / width_nm;
     absorbing += part;
     for (std::size_t i = 0; i < kCoefficients; ++i)
       band.sum.push_back({part * kWeights[i], row.coefficient_m2[i]});
@@ -64,8 +67,8 @@ LineBand LineAbsorption::band(double wavelength_nm, double band_nm) const {
   return band;
 }
 
-LineAbsorption load_water_lines() { return load("spectra/water_lines.csv"); }
+LineAbsorption load_water_lines(const Context& context) { return load(context, "spectra/water_lines.csv"); }
 
-LineAbsorption load_oxygen_lines() { return load("spectra/oxygen_lines.csv"); }
+LineAbsorption load_oxygen_lines(const Context& context) { return load(context, "spectra/oxygen_lines.csv"); }
 
 }  // namespace skylut

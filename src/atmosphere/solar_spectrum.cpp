@@ -2,9 +2,11 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "spectral_table.hpp"
 
@@ -29,18 +31,23 @@ std::vector<std::string> SolarSpectrum::names() {
   return names;
 }
 
-SolarSpectrum SolarSpectrum::load(const std::string& name_or_file) {
-  if (names_a_csv_file(name_or_file))
-    return SolarSpectrum(read_spectral_curve(name_or_file, "irradiance_W_m2_nm", 0.0, kMost_W_m2_nm));
+SolarSpectrum SolarSpectrum::load(const Context& context, const std::string& name_or_file) {
+  if (names_a_csv_file(name_or_file)) {
+    SolarSpectrum spectrum(read_spectral_curve(name_or_file, "irradiance_W_m2_nm", 0.0, kMost_W_m2_nm));
+    spectrum.file_ = name_or_file;
+    return spectrum;
+  }
   for (const auto& [name, file] : kSpectra) {
     if (name_or_file != name) continue;
     std::vector<double> centre_nm;
     std::vector<double> mean;
-    for (const std::vector<double>& row : read_spectral_table(file, 2)) {
+    for (const std::vector<double>& row : read_spectral_table(context, file, 2)) {
       centre_nm.push_back(row[0]);
       mean.push_back(row[1]);
     }
-    return {centre_nm, mean};
+    SolarSpectrum spectrum(centre_nm, mean);
+    spectrum.file_ = context.data_file(file).string();
+    return spectrum;
   }
   throw InputError("solar spectrum '{}': unknown name; expected {}, or a .csv file", name_or_file,
                    fmt::join(names(), ", "));
@@ -63,7 +70,16 @@ double SolarSpectrum::integral_W_m2(double lower_nm, double upper_nm) const {
 
 double SolarSpectrum::irradiance_W_m2_nm(double wavelength_nm, double band_nm) const {
   if (!(band_nm > 0.0)) throw InputError("band of {} nm: must be greater than 0", band_nm);
-  return integral_W_m2(wavelength_nm - 0.5 * band_nm, wavelength_nm + 0.5 * band_nm) / band_nm;
+  if (!(wavelength_nm >= curve_.first_nm() && wavelength_nm <= curve_.last_nm()))
+    throw InputError("wavelength {} nm: must lie within {}-{} nm of the solar spectrum", wavelength_nm,
+                     curve_.first_nm(), curve_.last_nm());
+  const double lower_nm = wavelength_nm - 0.5 * band_nm;
+  const double upper_nm = wavelength_nm + 0.5 * band_nm;
+  if (lower_nm >= curve_.first_nm() && upper_nm <= curve_.last_nm())
+    return curve_.integral(lower_nm, upper_nm) / band_nm;
+  const double first_nm = std::max(lower_nm, curve_.first_nm());
+  const double last_nm = std::min(upper_nm, curve_.last_nm());
+  return curve_.integral(first_nm, last_nm) / (last_nm - first_nm);
 }
 
 }  // namespace skylut

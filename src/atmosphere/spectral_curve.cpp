@@ -7,6 +7,7 @@
 
 #include "skylut/core/csv.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -71,11 +72,6 @@ double SpectralCurve::highest() const {
                   *std::max_element(right_.begin(), right_.end()));
 }
 
-std::size_t SpectralCurve::piece_of(double wavelength_nm) const {
-  const auto above = std::upper_bound(edge_nm_.begin() + 1, edge_nm_.end() - 1, wavelength_nm);
-  return static_cast<std::size_t>(above - edge_nm_.begin()) - 1;
-}
-
 void SpectralCurve::require_inside(double lower_nm, double upper_nm) const {
   if (!(lower_nm >= first_nm() && lower_nm <= upper_nm && upper_nm <= last_nm()))
     throw InputError("wavelengths {}-{} nm: must lie within {}-{} nm of the spectrum", lower_nm, upper_nm,
@@ -84,13 +80,13 @@ void SpectralCurve::require_inside(double lower_nm, double upper_nm) const {
 
 double SpectralCurve::at(double wavelength_nm) const {
   require_inside(wavelength_nm, wavelength_nm);
-  const std::size_t piece = piece_of(wavelength_nm);
+  const std::size_t piece = piece_of(edge_nm_, wavelength_nm);
   const double part = (wavelength_nm - edge_nm_[piece]) / (edge_nm_[piece + 1] - edge_nm_[piece]);
   return (1.0 - part) * left_[piece] + part * right_[piece];
 }
 
 double SpectralCurve::integral_from_start(double wavelength_nm) const {
-  const std::size_t piece = piece_of(wavelength_nm);
+  const std::size_t piece = piece_of(edge_nm_, wavelength_nm);
   const double width = wavelength_nm - edge_nm_[piece];
   const double slope = (right_[piece] - left_[piece]) / (edge_nm_[piece + 1] - edge_nm_[piece]);
   return start_integral_[piece] + width * (left_[piece] + 0.5 * slope * width);

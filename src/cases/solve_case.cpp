@@ -197,18 +197,14 @@ double truncation_error(const Context& context, const AltitudeCase& read, const 
   double largest = 0.0;
   for (std::size_t i = 0; i < request.views.size(); ++i)
     if (whole.at(0, 0, 0, i) > 0.0f)
-      largest = std::max(
-          largest, std::abs(1.0 - static_cast<double>(truncated.at(0, 0, 0, i)) / whole.at(0, 0, 0, i)));
+      largest =
+          std::max(largest, std::abs(1.0 - double{truncated.at(0, 0, 0, i)} / double{whole.at(0, 0, 0, i)}));
   return largest;
 }
 
 Json solve_shells(const Context& context, const JsonReader& file, const SolveOptions& options) {
   AltitudeCase read = read_altitude_schema(file);
-  read.shells.planet_radius_km =
-      file.at("planet_radius_km")
-          .number(domain::kPlanetRadius_km.lowest, domain::kPlanetRadius_km.highest,
-                  fmt::format("within {}-{} km", domain::kPlanetRadius_km.lowest,
-                              domain::kPlanetRadius_km.highest));
+  read.shells.planet_radius_km = file.at("planet_radius_km").number(domain::kPlanetRadius_km);
   if (read.sun_zenith_deg > domain::kSunZenith_deg.highest)
     file.at("sun_zenith_deg")
         .refuse(fmt::format("{} must lie within 0-{} in spherical shells", read.sun_zenith_deg,
@@ -232,6 +228,7 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
   const SkyRadiance radiance = solve_sky_radiance(context, read.shells, {&read.column, 1}, request, transfer);
   for (std::size_t i = 0; i < read.views.size(); ++i)
     write_radiance(answer["results"][i], static_cast<double>(radiance.at(0, 0, 0, i)), 0.0);
+  answer["instruction_set"] = radiance.report().kernel;
   if (options.orders > 0) {
     answer["orders"] = options.orders;
     answer["truncation_error"] = truncation_error(context, read, request, transfer, radiance);

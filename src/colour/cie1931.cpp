@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/csv.hpp"
-#include "skylut/core/data_directory.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -37,8 +38,8 @@ std::vector<Yxy> convex_hull(std::vector<Yxy> points) {
 
 }  // namespace
 
-ColourMatching ColourMatching::load() {
-  const CsvTable table = CsvTable::read(data_file("spectra/cie1931_2deg.csv"));
+ColourMatching ColourMatching::load(const Context& context) {
+  const CsvTable table = CsvTable::read(context.data_file("spectra/cie1931_2deg.csv"));
   const std::size_t wavelength = table.column("wavelength_nm");
   const std::size_t x_bar = table.column("x_bar");
   const std::size_t y_bar = table.column("y_bar");
@@ -64,14 +65,11 @@ ColourMatching ColourMatching::load() {
 }
 
 Xyz ColourMatching::at(double wavelength_nm) const {
-  const auto above = std::upper_bound(wavelength_nm_.begin(), wavelength_nm_.end(), wavelength_nm);
-  if (above == wavelength_nm_.begin()) return {};
-  if (above == wavelength_nm_.end()) return wavelength_nm == wavelength_nm_.back() ? value_.back() : Xyz{};
-  const auto i = static_cast<std::size_t>(above - wavelength_nm_.begin());
-  const double t = (wavelength_nm - wavelength_nm_[i - 1]) / (wavelength_nm_[i] - wavelength_nm_[i - 1]);
-  const Xyz& a = value_[i - 1];
-  const Xyz& b = value_[i];
-  return {a.X + t * (b.X - a.X), a.Y + t * (b.Y - a.Y), a.Z + t * (b.Z - a.Z)};
+  if (wavelength_nm < wavelength_nm_.front() || wavelength_nm > wavelength_nm_.back()) return {};
+  const Bracket at = held_bracket(wavelength_nm_, wavelength_nm);
+  const Xyz& a = value_[at.below];
+  const Xyz& b = value_[at.above];
+  return {linear(a.X, b.X, at.part), linear(a.Y, b.Y, at.part), linear(a.Z, b.Z, at.part)};
 }
 
 std::vector<Xyz> ColourMatching::weights(const WavelengthGrid& grid) const {
@@ -115,6 +113,21 @@ Xyz ColourMatching::integrate(const WavelengthGrid& grid, std::span<const double
     sum.Z += weight[i].Z * radiance_W_m2_sr_nm[i];
   }
   return sum;
+}
+
+double ColourMatching::part_of_vision(double first_nm, double last_nm) const {
+  constexpr int kPerStep = 20;  // pieces of the table's 5 nm
+  const double piece_nm = (wavelength_nm_[1] - wavelength_nm_[0]) / kPerStep;
+  const std::size_t pieces = kPerStep * (wavelength_nm_.size() - 1);
+  double all = 0.0;
+  double part = 0.0;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const double middle_nm = wavelength_nm_.front() + (static_cast<double>(i) + 0.5) * piece_nm;
+    const double sensitivity = at(middle_nm).Y;
+    all += sensitivity;
+    if (middle_nm > first_nm && middle_nm < last_nm) part += sensitivity;
+  }
+  return part / all;
 }
 
 bool ColourMatching::inside_spectral_locus(double x, double y) const {

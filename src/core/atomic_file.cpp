@@ -1,13 +1,13 @@
 #include "skylut/core/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <string>
 
+#include "core/unfinished_file.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -16,76 +16,49 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Temporary names of the writes under way, in fixed storage: a signal handler may read nothing else.
-struct UnfinishedFile {
-  std::atomic<bool> taken{false};
-  std::atomic<bool> named{false};
-  std::array<char, 4096> name{};
-};
-std::array<UnfinishedFile, 16> unfinished_files;
-
-// Registers a temporary file for as long as it is being written.
-class UnfinishedGuard {
- public:
-  explicit UnfinishedGuard(const fs::path& path) {
-    const std::string& text = path.native();
-    for (UnfinishedFile& file : unfinished_files) {
-      if (text.size() >= file.name.size() || file.taken.exchange(true)) continue;
-      std::memcpy(file.name.data(), text.c_str(), text.size() + 1);
-      file.named = true;
-      mine_ = &file;
-      return;
-    }
+// The descriptor that a name like /dev/stdout or /proc/self/fd/3 stands for; -1 for any other name.
+int descriptor_named(fs::path path) {
+  std::error_code error;
+  for (int links = 0; links < 4; ++links) {
+    const fs::path folder = path.parent_path();
+    const std::string name = path.filename().string();
+    if ((folder == "/proc/self/fd" || folder == "/dev/fd") && !name.empty() && name.size() < 6 &&
+        name.find_first_not_of("0123456789") == std::string::npos)
+      return std::stoi(name);
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) return -1;
+    path = (folder / target).lexically_normal();
   }
-  ~UnfinishedGuard() {
-    if (mine_ == nullptr) return;
-    mine_->named = false;
-    mine_->taken = false;
-  }
-  UnfinishedGuard(const UnfinishedGuard&) = delete;
-  UnfinishedGuard& operator=(const UnfinishedGuard&) = delete;
+  return -1;
+}
 
- private:
-  UnfinishedFile* mine_ = nullptr;
-};
+// Nothing to replace: a pipe, a device, or a descriptor that is open already.
+void write_directly(const fs::path& path, int open_descriptor, std::string_view text) {
+  const int descriptor =
+      open_descriptor >= 0 ? ::dup(open_descriptor) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) throw WorkError("{}: cannot write: {}", path.string(), std::strerror(errno));
+  try {
+    write_all(descriptor, text, path);
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
+  if (::close(descriptor) != 0) throw WorkError("{}: cannot write: {}", path.string(), std::strerror(errno));
+}
 
 }  // namespace
 
-void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  if (fs::is_directory(path)) throw WorkError("{}: cannot write, a directory has that name", path.string());
-  if (fs::exists(path) && !fs::is_regular_file(path))
-    return write(path);  // a pipe or a device: nothing to replace
-  fs::path temporary = path;
-  temporary += fmt::format(".{}.tmp", ::getpid());
-  const UnfinishedGuard guard(temporary);
-  std::error_code ignored;
-  try {
-    write(temporary);
-  } catch (...) {
-    fs::remove(temporary, ignored);
-    throw;
-  }
-  std::error_code error;
-  fs::rename(temporary, path, error);
-  if (error) {
-    fs::remove(temporary, ignored);
-    throw WorkError("{}: cannot write: {}", path.string(), error.message());
-  }
-}
-
 void write_text_atomically(const fs::path& path, std::string_view text) {
-  write_atomically(path, [&](const fs::path& temporary) {
-    errno = 0;
-    std::ofstream file(temporary, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    if (!file) throw WorkError("{}: cannot write: {}", path.string(), std::strerror(errno));
-  });
-}
-
-void remove_unfinished_files() noexcept {
-  for (const UnfinishedFile& file : unfinished_files)
-    if (file.named) ::unlink(file.name.data());
+  const int open_descriptor = descriptor_named(path);
+  if (open_descriptor >= 0) return write_directly(path, open_descriptor, text);
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) throw WorkError("{}: cannot write, a directory has that name", path.string());
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, -1, text);
+  clear_leftovers(path);
+  UnfinishedFile file(temporary_path(path), path);
+  file.write(text);
+  file.rename_to_final();
 }
 
 }  // namespace skylut

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "input_file.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -64,7 +65,7 @@ CsvTable CsvTable::read(const std::filesystem::path& path) {
   CsvTable table;
   table.path_ = path;
   std::string text;
-  for (std::size_t number = 1; std::getline(file, text); ++number) {
+  for (std::size_t number = 1; read_input_line(file, text, path, number); ++number) {
     std::string_view line = text;
     if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     line = trimmed(line);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
+#include <set>
 
+#include "input_file.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -21,6 +21,53 @@ std::string shown(const nlohmann::ordered_json& value) {
   if (text.size() > kLongest) text = text.substr(0, kLongest) + "…";
   return text;
 }
+
+// Looks through a document before a tree is made of it: trees are copied, printed and destroyed by recursion,
+// which a deep one takes beyond the stack; and of a key given twice the tree would keep only one.
+class DocumentGuard final : public nlohmann::json_sax<nlohmann::ordered_json> {
+ public:
+  const std::string& refusal() const { return refusal_; }
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return open(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t& name) override {
+    if (keys_.back().insert(name).second) return true;
+    return refuse(fmt::format("key {} is given twice in one object: must be given once", shown(name)));
+  }
+  bool parse_error(std::size_t byte, const std::string&, const nlohmann::json::exception& error) override {
+    constexpr int kNumberOutOfRange = 406;
+    if (error.id == kNumberOutOfRange)
+      return refuse("holds a number out of range: must fit in double precision");
+    return refuse(fmt::format("not valid JSON near byte {}", byte));
+  }
+
+ private:
+  bool open() {
+    keys_.emplace_back();
+    if (keys_.size() <= domain::kDeepestNesting) return true;
+    return refuse(fmt::format("nested deeper than {} levels", domain::kDeepestNesting));
+  }
+  bool close() {
+    keys_.pop_back();
+    return true;
+  }
+  bool refuse(std::string why) {
+    refusal_ = std::move(why);
+    return false;
+  }
+
+  std::vector<std::set<std::string>> keys_;  // of every open object
+  std::string refusal_;
+};
 
 }  // namespace
 
@@ -53,6 +100,12 @@ double JsonReader::number() const {
   return number(std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max(), "that is finite");
 }
 
+double JsonReader::number(const Range& range) const {
+  const char* const space = *range.unit == '\0' ? "" : " ";
+  return number(range.lowest, range.highest,
+                fmt::format("within {}-{}{}{}", range.lowest, range.highest, space, range.unit));
+}
+
 std::string JsonReader::text() const {
   if (!value_->is_string()) refuse(fmt::format("{} must be a text", shown(*value_)));
   return value_->get<std::string>();
@@ -72,17 +125,10 @@ void JsonReader::only(const std::vector<std::string>& known) const {
 }
 
 nlohmann::ordered_json read_json_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) throw InputError("{}: cannot be read", path);
-  std::ostringstream content;
-  content << file.rdbuf();
-  try {
-    return nlohmann::ordered_json::parse(content.str());
-  } catch (const nlohmann::json::parse_error& error) {
-    throw InputError("{}: not valid JSON near byte {}: must be a solver case", path, error.byte);
-  } catch (const nlohmann::json::exception&) {
-    throw InputError("{}: holds a number out of range: must fit in double precision", path);
-  }
+  const std::string text = read_input_file(path, "a file in JSON");
+  DocumentGuard guard;
+  if (!nlohmann::ordered_json::sax_parse(text, &guard)) throw InputError("{}: {}", path, guard.refusal());
+  return nlohmann::ordered_json::parse(text);
 }
 
 }  // namespace skylut

@@ -5,6 +5,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/legendre.hpp"
 
 namespace skylut {
 
@@ -36,7 +37,7 @@ Quadrature gauss_legendre(int count, double lower, double upper) {
       for (int l = 1; l <= count; ++l) {
         const double part = 1.0 / l;
         for (std::size_t i = 0; i < kTile; ++i) {
-          const double next = (2.0 - part) * x[i] * legendre[i] - (1.0 - part) * previous[i];
+          const double next = next_legendre(part, x[i], legendre[i], previous[i]);
           previous[i] = legendre[i];
           legendre[i] = next;
         }

@@ -4,19 +4,51 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
+#include "input_file.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
 
+namespace {
+
+// Tables within tables are destroyed by recursion; the library bounds nested values but not dotted keys.
+// Counts the dots of what may be a key: outside quotes and comments, and not between = and the next , or {.
+void refuse_long_keys(const std::string& text, const std::string& file) {
+  std::size_t line = 1;
+  std::size_t dots = 0;
+  bool in_key = true;
+  bool in_comment = false;
+  char quote = 0;
+  for (const char character : text) {
+    if (character == '\n') {
+      ++line;
+      dots = 0;
+      in_key = true;
+      in_comment = false;
+      quote = 0;
+    } else if (in_comment || quote != 0) {
+      if (character == quote) quote = 0;
+    } else if (character == '"' || character == '\'') {
+      quote = character;
+    } else if (character == '#') {
+      in_comment = true;
+    } else if (character == '=' || character == ',' || character == '{') {
+      in_key = character != '=';
+      dots = 0;
+    } else if (in_key && character == '.' && ++dots >= domain::kDeepestNesting) {
+      throw InputError("{}:{}: a dotted key of more than {} parts", file, line, domain::kDeepestNesting);
+    }
+  }
+}
+
+}  // namespace
+
 toml::table TomlReader::parse(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad())
-    throw InputError("{}: cannot be read; expected a file in TOML", file);
+  const std::string text = read_input_file(file, "a file in TOML");
+  refuse_long_keys(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {

@@ -4,12 +4,11 @@
 
 namespace skylut {
 
-/// Altitude that every profile reaches.
-inline constexpr double kAtmosphereTop_km = 100.0;
-
-/// Continues a profile that ends below 100 km with the levels of the standard above its end: the
-/// standard's temperature, and its pressure and gases scaled to join at the last level. Aerosol ends
-/// at the next level.
+/// Continues a profile that ends below 100 km with the levels of the standard above its end: the standard's
+/// temperature, its pressure scaled to join at the last level, oxygen and carbon dioxide as at the last
+/// level's part of the air. The other gases are the standard's, scaled to join at the last level; from an end
+/// below 30 km, which says little of what is further above, the scale falls back to 1 within 5 km. Aerosol
+/// ends at the next level.
 void continue_to_top(Profile& profile, const Profile& standard);
 
 }  // namespace skylut

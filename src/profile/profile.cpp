@@ -5,6 +5,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 #include "skylut/core/quadrature.hpp"
 
 namespace skylut {
@@ -15,22 +16,18 @@ constexpr double kMetresPerKm = 1000.0;
 constexpr double kPascalPerHectopascal = 100.0;
 
 // The piece [i, i+1] of the levels that holds an altitude.
-std::size_t piece_of(const Profile& profile, double altitude_km) {
+std::size_t piece_at(const Profile& profile, double altitude_km) {
   const std::vector<double>& levels = profile.altitude_km;
   if (!(altitude_km >= levels.front() && altitude_km <= levels.back()))
     throw InputError("altitude {} km: must lie within {}-{} km of profile {}", altitude_km, levels.front(),
                      levels.back(), profile.name);
-  const auto above = std::upper_bound(levels.begin() + 1, levels.end() - 1, altitude_km);
-  return static_cast<std::size_t>(above - levels.begin()) - 1;
+  return piece_of(levels, altitude_km);
 }
 
 double interpolate_in_piece(const Profile& profile, const std::vector<double>& by_level, std::size_t i,
                             double z) {
   const double part = (z - profile.altitude_km[i]) / (profile.altitude_km[i + 1] - profile.altitude_km[i]);
-  const double lower = by_level[i];
-  const double upper = by_level[i + 1];
-  if (lower <= 0.0 || upper <= 0.0) return lower + part * (upper - lower);
-  return lower * std::pow(upper / lower, part);
+  return log_linear_or_linear(by_level[i], by_level[i + 1], part);
 }
 
 // Calls visit(i, from, to) for every piece of the levels between two altitudes.
@@ -38,8 +35,8 @@ template <typename Visit>
 void for_each_piece(const Profile& profile, double lower_km, double upper_km, Visit visit) {
   if (!(lower_km <= upper_km))
     throw InputError("altitudes {} to {} km: the first must not exceed the second", lower_km, upper_km);
-  const std::size_t last = piece_of(profile, upper_km);
-  for (std::size_t i = piece_of(profile, lower_km); i <= last; ++i)
+  const std::size_t last = piece_at(profile, upper_km);
+  for (std::size_t i = piece_at(profile, lower_km); i <= last; ++i)
     visit(i, std::max(lower_km, profile.altitude_km[i]), std::min(upper_km, profile.altitude_km[i + 1]));
 }
 
@@ -52,7 +49,7 @@ const GasProfile* Profile::gas(std::string_view gas_name) const {
 }
 
 AirState air_state(const Profile& profile, double altitude_km) {
-  const std::size_t i = piece_of(profile, altitude_km);
+  const std::size_t i = piece_at(profile, altitude_km);
   const double part =
       (altitude_km - profile.altitude_km[i]) / (profile.altitude_km[i + 1] - profile.altitude_km[i]);
   const double lower_K = profile.temperature_K[i];
@@ -60,7 +57,7 @@ AirState air_state(const Profile& profile, double altitude_km) {
   const double pressure_step = std::log(profile.pressure_hPa[i + 1] / profile.pressure_hPa[i]);
 
   AirState state;
-  state.temperature_K = lower_K + part * (upper_K - lower_K);
+  state.temperature_K = linear(lower_K, upper_K, part);
   // ln(T/T_i) / ln(T_j/T_i) tends to `part` where the two temperatures meet.
   const double warming = std::log(upper_K / lower_K);
   const double exponent = std::abs(warming) < 1e-9 ? part : std::log(state.temperature_K / lower_K) / warming;
@@ -72,7 +69,7 @@ AirState air_state(const Profile& profile, double altitude_km) {
 
 double interpolate_by_altitude(const Profile& profile, const std::vector<double>& by_level,
                                double altitude_km) {
-  return interpolate_in_piece(profile, by_level, piece_of(profile, altitude_km), altitude_km);
+  return interpolate_in_piece(profile, by_level, piece_at(profile, altitude_km), altitude_km);
 }
 
 double gas_column_per_m2(const Profile& profile, const GasProfile& gas, double lower_km, double upper_km) {

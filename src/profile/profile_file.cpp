@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "skylut/core/errors.hpp"
 #include "core/toml_reader.hpp"
+#include "skylut/core/domain.hpp"
+#include "skylut/core/errors.hpp"
 
 namespace skylut {
 
 namespace {
-
-constexpr double kLowestTop_km = 30.0;
 
 // A unit that a column may be in: value in the unit of Profile = factor * value + offset.
 struct Unit {
@@ -56,12 +55,16 @@ class ColumnReader {
       if (written[order_[k]] == written[order_[k - 1]])
         altitude.refuse("values", order_[k], written[order_[k]],
                         "this altitude is given twice; must be given once");
-    if (altitude_km_.front() != 0.0)
+    const Range ground_km{1e-3 * domain::kGroundHeight_m.lowest, 1e-3 * domain::kGroundHeight_m.highest,
+                          "km"};
+    if (!ground_km.holds(altitude_km_.front()))
       altitude.refuse("values", order_.front(), written[order_.front()],
-                      "the lowest level must be the ground, 0");
-    if (altitude_km_.back() < kLowestTop_km)
-      altitude.refuse("values", order_.back(), written[order_.back()],
-                      fmt::format("the highest level must be at {} km or above", kLowestTop_km));
+                      fmt::format("the lowest level is the ground: must lie within {} to {} km",
+                                  ground_km.lowest, ground_km.highest));
+    if (altitude_km_.back() < domain::kLowestProfileTop_km)
+      altitude.refuse(
+          "values", order_.back(), written[order_.back()],
+          fmt::format("the highest level must be at {} km or above", domain::kLowestProfileTop_km));
   }
 
   const std::vector<double>& altitude_km() const { return altitude_km_; }
@@ -188,6 +191,21 @@ TotalColumns read_total(const TomlReader& reader) {
   return {column("ozone_du"), column("nitrogen_dioxide_du"), column("water_vapour_cm")};
 }
 
+// Where the ground is. A lowest level other than 0 is a height above sea level.
+std::optional<double> read_ground_height_km(const TomlReader& reader,
+                                            const std::vector<double>& altitude_km) {
+  const double lowest_km = altitude_km.front();
+  if (!reader.has("ground_m")) return lowest_km == 0.0 ? std::nullopt : std::optional(lowest_km);
+  const double ground_m = reader.number("ground_m");
+  if (!domain::kGroundHeight_m.holds(ground_m))
+    reader.refuse("ground_m", fmt::format("is {}; must lie within {} to {} m above sea level", ground_m,
+                                          domain::kGroundHeight_m.lowest, domain::kGroundHeight_m.highest));
+  if (1e-3 * ground_m < lowest_km - 1e-6)
+    reader.refuse("ground_m",
+                  fmt::format("is {}; must not lie below the lowest level, {} km", ground_m, lowest_km));
+  return 1e-3 * ground_m;
+}
+
 void read_columns(const TomlReader& reader, ProfileFile& profile) {
   reader.allow_only({"altitude", "temperature", "pressure", "ozone", "water_vapour", "nitrogen_dioxide",
                      "oxygen", "carbon_dioxide", "aerosol"});
@@ -226,8 +244,8 @@ void read_columns(const TomlReader& reader, ProfileFile& profile) {
 ProfileFile read_profile_file(const std::string& file) {
   const toml::table document = TomlReader::parse(file);
   const TomlReader reader(document, file, "");
-  reader.allow_only({"name", "description", "source", "temperature_and_pressure_of", "standard_layers",
-                     "total", "report_2005", "column"});
+  reader.allow_only({"name", "description", "source", "ground_m", "temperature_and_pressure_of",
+                     "standard_layers", "total", "report_2005", "column"});
   ProfileFile profile;
   profile.name = reader.text("name");
   profile.description = reader.text("description");
@@ -240,6 +258,9 @@ ProfileFile read_profile_file(const std::string& file) {
   if (reader.has("report_2005")) profile.report_2005 = read_report_2005(reader.table("report_2005"));
   const TomlReader columns = reader.table("column");
   read_columns(columns, profile);
+  profile.ground_height_km = read_ground_height_km(reader, profile.altitude_km);
+  if (profile.report_2005 && profile.altitude_km.front() != 0.0)
+    reader.refuse("report_2005", "is given by altitude above sea level; the lowest level must be 0");
 
   const bool computed = profile.standard_layers || !profile.temperature_and_pressure_of.empty();
   for (const char* name : {"temperature", "pressure"}) {

@@ -9,15 +9,6 @@
 
 namespace skylut {
 
-/// What the UTM report 2005 §3.3.1 adds to temperature and pressure.
-struct Report2005 {
-  double ground_ozone_atm_cm = 0.0;
-  double ozone_decrease_per_km = 0.0;
-  std::vector<double> printed_altitude_km;
-  std::vector<double> printed_relative_humidity_percent;
-  std::vector<double> printed_precipitable_water_cm;
-};
-
 /// Total columns that the gases are scaled to.
 struct TotalColumns {
   std::optional<double> ozone_du;
@@ -32,7 +23,9 @@ struct ProfileFile {
   std::string description;
   std::string source;
   std::vector<ProfileColumn> columns;  ///< as written, sorted by altitude
-  std::vector<double> altitude_km;
+  std::vector<double> altitude_km;     ///< above sea level, where the file says the ground's height
+  std::optional<double>
+      ground_height_km;               ///< above sea level: ground_m, or the lowest level if that is not 0
   std::vector<double> temperature_K;  ///< empty unless given as columns; likewise pressure
   std::vector<double> pressure_hPa;
   std::vector<GasProfile> gases;                ///< in m⁻³ …

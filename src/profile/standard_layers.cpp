@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "skylut/core/constants.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -44,10 +45,9 @@ StandardState state_in_layers(const StandardLayers& layers, double geopotential)
   return state;
 }
 
-double linear(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  const auto above = std::upper_bound(x.begin() + 1, x.end() - 1, at) - x.begin();
-  const auto i = static_cast<std::size_t>(above) - 1;
-  return y[i] + (y[i + 1] - y[i]) * (at - x[i]) / (x[i + 1] - x[i]);
+double at_altitude(const std::vector<double>& altitude_km, const std::vector<double>& value, double z) {
+  const std::size_t i = piece_of(altitude_km, z);
+  return linear(value[i], value[i + 1], (z - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]));
 }
 
 }  // namespace
@@ -59,8 +59,9 @@ StandardState standard_state(const StandardLayers& layers, double altitude_km) {
   // d ln p / dz = -M g0 (r0/(r0+z))² / (R T)
   const auto slope = [&](double z) {
     const double gravity_ratio = std::pow(kEffectiveEarthRadius_km / (kEffectiveEarthRadius_km + z), 2);
-    return -hydrostatic_K_per_km(linear(layers.upper_altitude_km, layers.upper_molar_mass_g_per_mol, z)) *
-           gravity_ratio / linear(layers.upper_altitude_km, layers.upper_temperature_K, z);
+    return -hydrostatic_K_per_km(
+               at_altitude(layers.upper_altitude_km, layers.upper_molar_mass_g_per_mol, z)) *
+           gravity_ratio / at_altitude(layers.upper_altitude_km, layers.upper_temperature_K, z);
   };
   const auto steps = static_cast<int>(std::ceil((altitude_km - layers_top_km) / 0.1));
   double logarithm = std::log(state_in_layers(layers, geopotential_km(layers_top_km)).pressure_hPa);
@@ -69,7 +70,8 @@ StandardState standard_state(const StandardLayers& layers, double altitude_km) {
     const double z = layers_top_km + i * step;
     logarithm += step / 6.0 * (slope(z) + 4.0 * slope(z + 0.5 * step) + slope(z + step));
   }
-  return {linear(layers.upper_altitude_km, layers.upper_temperature_K, altitude_km), std::exp(logarithm)};
+  return {at_altitude(layers.upper_altitude_km, layers.upper_temperature_K, altitude_km),
+          std::exp(logarithm)};
 }
 
 }  // namespace skylut

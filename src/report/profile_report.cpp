@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "skylut/core/constants.hpp"
 #include "skylut/atmosphere/turbidity.hpp"
+#include "skylut/core/constants.hpp"
 
 namespace skylut {
 
@@ -57,8 +57,10 @@ std::vector<TurbidityValue> turbidity_values(const Atmosphere& air, double aod50
 // Optical depths of the constituents in one layer, by the difference of those above its ends.
 std::vector<ConstituentDepth> layer_depths(const Atmosphere& air, double aod500, std::size_t layer) {
   const std::vector<double>& levels = air.shells().levels_km;
-  std::vector<ConstituentDepth> depths = air.optical_depths(kShown_nm, aod500, levels[layer]);
-  const std::vector<ConstituentDepth> above = air.optical_depths(kShown_nm, aod500, levels[layer + 1]);
+  std::vector<ConstituentDepth> depths =
+      air.optical_depths({.wavelength_nm = kShown_nm}, aod500, levels[layer]);
+  const std::vector<ConstituentDepth> above =
+      air.optical_depths({.wavelength_nm = kShown_nm}, aod500, levels[layer + 1]);
   for (std::size_t i = 0; i < depths.size(); ++i) depths[i].depth -= above[i].depth;
   return depths;
 }
@@ -80,17 +82,23 @@ std::string heading(const AtmosphereOptions& options, const Profile& profile) {
       profile.described_top_km < profile.altitude_km.back()
           ? fmt::format(", continued to {:g} km with the 1976 standard's shape", profile.altitude_km.back())
           : "";
-  return fmt::format(
+  std::string text = fmt::format(
       "{}: {}\n  source: {}\n  described to {:g} km{}\n"
       "  gravity {:.5f} m/s2, planet radius {:g} km, ground albedo {}\n",
       profile.name, profile.description, profile.source, profile.described_top_km, continued,
       options.gravity_m_s2, options.planet_radius_km, options.ground_albedo.text());
+  if (profile.ground_height_km)
+    text += fmt::format("  ground {:g} m above sea level, altitudes are above the ground\n",
+                        1000.0 * *profile.ground_height_km);
+  for (const std::string& note : profile.notes) text += fmt::format("  note: {}\n", note);
+  return text;
 }
 
 std::string quantities_table(const Profile& profile) {
-  std::string text = fmt::format("\nQuantities of Table 3.1 ({})\n", profile.quantities_source);
+  const LevelTable table = level_quantities(profile);
+  std::string text = fmt::format("\nQuantities of Table 3.1 ({})\n", table.source);
   text += "    z/km    T/K     p/hPa  T_eo/K   RH/%   O2/km    CO2/km   H2O/cm  O3/atm-cm\n";
-  for (const LevelQuantities& level : profile.quantities)
+  for (const LevelQuantities& level : table.levels)
     text += fmt::format("  {:6g} {:6.2f} {:9.5g}  {:6.2f} {:6.2f} {:8.4f} {:8.4f} {:9.5f} {:8.4f}\n",
                         level.altitude_km, level.temperature_K, level.pressure_hPa, level.ozone_temperature_K,
                         level.relative_humidity_percent, level.oxygen_path_km, level.carbon_dioxide_path_km,
@@ -115,7 +123,7 @@ std::string levels_table(const Profile& profile) {
 }
 
 std::string depths_tables(const Atmosphere& air, double aod500) {
-  const std::vector<ConstituentDepth> whole = air.optical_depths(kShown_nm, aod500);
+  const std::vector<ConstituentDepth> whole = air.optical_depths({.wavelength_nm = kShown_nm}, aod500);
   std::string text = fmt::format("\nOptical depth above the ground at {:g} nm\n", kShown_nm);
   for (const ConstituentDepth& depth : whole)
     text += fmt::format("  {:<18} {:.6f}\n", depth.name, depth.depth);
@@ -157,6 +165,8 @@ ordered_json profile_json(const Atmosphere& air, double aod500) {
                     {"description", profile.description},
                     {"source", profile.source},
                     {"described_top_km", profile.described_top_km},
+                    {"ground_height_km", profile.ground_height_km.value_or(0.0)},
+                    {"notes", profile.notes},
                     {"gravity_m_s2", air.options().gravity_m_s2},
                     {"planet_radius_km", air.options().planet_radius_km},
                     {"ground_albedo", ground_json(air.options().ground_albedo)}};
@@ -178,8 +188,9 @@ ordered_json profile_json(const Atmosphere& air, double aod500) {
     levels["relative_aerosol_extinction"] = profile.relative_aerosol_extinction;
 
   ordered_json& table = json["table_3_1"];
-  table["source"] = profile.quantities_source;
-  for (const LevelQuantities& level : profile.quantities)
+  const LevelTable quantities = level_quantities(profile);
+  table["source"] = quantities.source;
+  for (const LevelQuantities& level : quantities.levels)
     table["levels"].push_back({{"altitude_km", level.altitude_km},
                                {"temperature_K", level.temperature_K},
                                {"pressure_hPa", level.pressure_hPa},
@@ -193,7 +204,7 @@ ordered_json profile_json(const Atmosphere& air, double aod500) {
   for (const Column& column : gas_columns(profile))
     json["columns_above_ground"][column.name] = {{"value", column.value}, {"unit", column.unit}};
 
-  const std::vector<ConstituentDepth> whole = air.optical_depths(kShown_nm, aod500);
+  const std::vector<ConstituentDepth> whole = air.optical_depths({.wavelength_nm = kShown_nm}, aod500);
   ordered_json& depths = json["optical_depths"];
   depths["wavelength_nm"] = kShown_nm;
   for (const ConstituentDepth& depth : whole) depths[depth.name] = depth.depth;

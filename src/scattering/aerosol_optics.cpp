@@ -6,7 +6,9 @@
 
 #include "optics_cache.hpp"
 #include "particle_optics.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -15,26 +17,13 @@ namespace {
 constexpr double kReferenceWavelength_nm = 500.0;
 
 // Where Mie's theory is evaluated. 50 nm: phase functions halfway between are within 1 % of the mixture of
-// their neighbours (tests/unit/optics/aerosol_presets_test.cpp).
+// their neighbours (tests/unit/scattering/aerosol_presets_test.cpp).
 const std::vector<double> kWavelengths_nm{300.0, 350.0, 400.0, 450.0, 500.0, 550.0, 600.0,
                                           650.0, 700.0, 750.0, 800.0, 900.0, 1000.0};
 
-// Two wavelengths of a list around another, and how far from the first to the second it is.
-struct Bracket {
-  std::size_t below;
-  std::size_t above;
-  double part;
-};
-
-Bracket bracket(const std::vector<double>& x, double at) {
-  if (at <= x.front()) return {0, 0, 0.0};
-  if (at >= x.back()) return {x.size() - 1, x.size() - 1, 0.0};
-  const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-  return {i - 1, i, (at - x[i - 1]) / (x[i] - x[i - 1])};
-}
-
+// Value of a list at a place between two of its wavelengths.
 double between(const std::vector<double>& y, const Bracket& at) {
-  return y[at.below] + (y[at.above] - y[at.below]) * at.part;
+  return linear(y[at.below], y[at.above], at.part);
 }
 
 // Share of the upper neighbour in the scattered light.
@@ -55,12 +44,13 @@ void set_given(const GivenOptics& given, AerosolOptics& aerosol) {
   aerosol.asymmetry = given.asymmetry;
 }
 
-void set_particles(const std::vector<AerosolComponent>& components, AerosolOptics& aerosol) {
+void set_particles(const Context& context, const std::vector<AerosolComponent>& components,
+                   AerosolOptics& aerosol) {
   const std::string key = optics_key(components, kWavelengths_nm);
-  std::optional<std::vector<ParticleOptics>> results = find_in_cache(key);
+  std::optional<std::vector<ParticleOptics>> results = find_in_cache(context, key);
   if (!results || results->size() != kWavelengths_nm.size()) {
-    results = particle_optics(components, kWavelengths_nm);
-    keep_in_cache(key, *results);
+    results = particle_optics(context, components, kWavelengths_nm);
+    keep_in_cache(context, key, *results);
   }
   const auto reference = std::find(kWavelengths_nm.begin(), kWavelengths_nm.end(), kReferenceWavelength_nm);
   const double extinction =
@@ -82,8 +72,9 @@ void set_particles(const std::vector<AerosolComponent>& components, AerosolOptic
 }  // namespace
 
 void AerosolOptics::validate() const {
-  if (!(angstrom_exponent >= -1.0 && angstrom_exponent <= 4.0))
-    throw InputError("Angstrom exponent {}: must lie within -1 to 4", angstrom_exponent);
+  // Of particles it follows from their extinction and rules nothing.
+  if (relative_extinction.empty())
+    require_within("Angstrom exponent", angstrom_exponent, domain::kAngstromExponent);
   if (wavelength_nm.empty() || single_scattering_albedo.size() != wavelength_nm.size() ||
       asymmetry.size() != wavelength_nm.size())
     throw InputError(
@@ -112,18 +103,18 @@ void AerosolOptics::validate() const {
 }
 
 double AerosolOptics::single_scattering_albedo_at(double at_nm) const {
-  return between(single_scattering_albedo, bracket(wavelength_nm, at_nm));
+  return between(single_scattering_albedo, held_bracket(wavelength_nm, at_nm));
 }
 
 double AerosolOptics::asymmetry_at(double at_nm) const {
-  Bracket at = bracket(wavelength_nm, at_nm);
+  Bracket at = held_bracket(wavelength_nm, at_nm);
   at.part = share_of_upper(*this, at);
   return between(asymmetry, at);
 }
 
 std::shared_ptr<const PhaseFunction> AerosolOptics::phase_function(double at_nm) const {
   if (phase.empty()) return std::make_shared<HenyeyGreensteinPhaseFunction>(asymmetry_at(at_nm));
-  const Bracket at = bracket(wavelength_nm, at_nm);
+  const Bracket at = held_bracket(wavelength_nm, at_nm);
   const double part = share_of_upper(*this, at);
   if (part == 0.0) return phase[at.below];
   return std::make_shared<TabulatedPhaseFunction>(*phase[at.below], *phase[at.above], part);
@@ -131,12 +122,11 @@ std::shared_ptr<const PhaseFunction> AerosolOptics::phase_function(double at_nm)
 
 double AerosolOptics::relative_depth(double at_nm) const {
   if (relative_extinction.empty()) return std::pow(at_nm / kReferenceWavelength_nm, -angstrom_exponent);
-  const Bracket at = bracket(wavelength_nm, at_nm);
+  const Bracket at = held_bracket(wavelength_nm, at_nm);
   if (at.below == at.above) return relative_extinction[at.below];
   const double part =
       std::log(at_nm / wavelength_nm[at.below]) / std::log(wavelength_nm[at.above] / wavelength_nm[at.below]);
-  return relative_extinction[at.below] *
-         std::pow(relative_extinction[at.above] / relative_extinction[at.below], part);
+  return log_linear(relative_extinction[at.below], relative_extinction[at.above], part);
 }
 
 double AerosolOptics::angstrom_exponent_between(double first_nm, double second_nm) const {
@@ -144,34 +134,38 @@ double AerosolOptics::angstrom_exponent_between(double first_nm, double second_n
 }
 
 double AerosolOptics::depth(double at_nm, double aod500) const {
-  const double layer = aod500 * shape.stratospheric_share(aod500);
-  return layer * stratospheric_optics().relative_depth(at_nm) + (aod500 - layer) * relative_depth(at_nm);
+  const double stratospheric = aod500 * shape.stratospheric_share(aod500);
+  return stratospheric * stratospheric_optics().relative_depth(at_nm) +
+         (aod500 - stratospheric) * relative_depth(at_nm);
 }
 
 double AerosolOptics::aod500_of_depth(double at_nm, double depth_there) const {
   // Linear on either side of the load that is stratospheric altogether.
-  const double layer = stratospheric_optics().relative_depth(at_nm);
+  const double stratospheric = stratospheric_optics().relative_depth(at_nm);
   const double knee = shape.stratospheric_aod500;
-  if (depth_there <= knee * layer) return depth_there / layer;
-  return knee + (depth_there - knee * layer) / relative_depth(at_nm);
+  if (depth_there <= knee * stratospheric) return depth_there / stratospheric;
+  return knee + (depth_there - knee * stratospheric) / relative_depth(at_nm);
 }
 
-AerosolOptics aerosol_optics(const AerosolDescription& description) {
+AerosolOptics aerosol_optics(const Context& context, const AerosolDescription& description) {
   AerosolOptics aerosol;
   aerosol.name = description.name;
   aerosol.shape = description.shape;
+  aerosol.description = std::make_shared<const AerosolDescription>(description);
   if (description.optics)
     set_given(*description.optics, aerosol);
   else
-    set_particles(description.components, aerosol);
+    set_particles(context, description.components, aerosol);
   if (!description.stratosphere.empty())
-    aerosol.stratosphere = std::make_shared<const AerosolOptics>(load_aerosol(description.stratosphere));
+    aerosol.stratosphere =
+        std::make_shared<const AerosolOptics>(load_aerosol(context, description.stratosphere));
   aerosol.validate();
   return aerosol;
 }
 
-AerosolOptics load_aerosol(const std::string& name_or_path, std::optional<double> humidity_percent) {
-  return aerosol_optics(load_aerosol_description(name_or_path, humidity_percent));
+AerosolOptics load_aerosol(const Context& context, const std::string& name_or_path,
+                           std::optional<double> humidity_percent) {
+  return aerosol_optics(context, load_aerosol_description(context, name_or_path, humidity_percent));
 }
 
 }  // namespace skylut

@@ -5,6 +5,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 
 namespace skylut {
 
@@ -19,11 +20,8 @@ double mixed_below(const AerosolShape& shape, double z) {
 
 // Extinction of the table at an altitude inside piece i.
 double table_value(const AerosolShape& shape, std::size_t i, double z) {
-  const double lower = shape.relative_extinction[i];
-  const double upper = shape.relative_extinction[i + 1];
   const double part = (z - shape.altitude_km[i]) / (shape.altitude_km[i + 1] - shape.altitude_km[i]);
-  if (lower > 0.0 && upper > 0.0) return lower * std::pow(upper / lower, part);
-  return lower + part * (upper - lower);
+  return log_linear_or_linear(shape.relative_extinction[i], shape.relative_extinction[i + 1], part);
 }
 
 // ∫ of the table below an altitude, every piece in closed form.
@@ -51,9 +49,7 @@ double haze_value(const AerosolShape& shape, double z) {
   if (shape.altitude_km.empty())
     return std::exp(-std::max(0.0, z - shape.mixed_layer_km) / shape.haze_scale_height_km);
   if (z > shape.altitude_km.back()) return 0.0;
-  const auto above = std::upper_bound(shape.altitude_km.begin() + 1, shape.altitude_km.end() - 1, z) -
-                     shape.altitude_km.begin();
-  return table_value(shape, static_cast<std::size_t>(above) - 1, z);
+  return table_value(shape, piece_of(shape.altitude_km, z), z);
 }
 
 // ∫₀^z of a Gaussian of unit area.
@@ -98,7 +94,7 @@ double AerosolShape::haze_between(double lower_km, double upper_km, double top_k
   return (haze_below(*this, upper_km) - haze_below(*this, lower_km)) / haze_below(*this, top_km);
 }
 
-double AerosolShape::layer_between(double lower_km, double upper_km, double top_km) const {
+double AerosolShape::stratospheric_between(double lower_km, double upper_km, double top_km) const {
   return (gaussian_below(*this, upper_km) - gaussian_below(*this, lower_km)) / gaussian_below(*this, top_km);
 }
 
@@ -106,22 +102,10 @@ double AerosolShape::haze_density_per_km(double altitude, double top_km) const {
   return haze_value(*this, altitude) / haze_below(*this, top_km);
 }
 
-double AerosolShape::layer_density_per_km(double altitude, double top_km) const {
+double AerosolShape::stratospheric_density_per_km(double altitude, double top_km) const {
   const double distance = (altitude - stratospheric_centre_km) / stratospheric_width_km;
   return std::exp(-0.5 * distance * distance) /
          (stratospheric_width_km * std::sqrt(2.0 * kPi) * gaussian_below(*this, top_km));
-}
-
-double AerosolShape::part_between(double lower_km, double upper_km, double top_km, double aod500) const {
-  const double layer = stratospheric_share(aod500);
-  return layer * layer_between(lower_km, upper_km, top_km) +
-         (1.0 - layer) * haze_between(lower_km, upper_km, top_km);
-}
-
-double AerosolShape::density_per_km(double altitude, double top_km, double aod500) const {
-  const double layer = stratospheric_share(aod500);
-  return layer * layer_density_per_km(altitude, top_km) +
-         (1.0 - layer) * haze_density_per_km(altitude, top_km);
 }
 
 void AerosolShape::validate() const {

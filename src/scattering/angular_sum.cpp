@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "skylut/core/legendre.hpp"
+
 namespace skylut {
 
 namespace {
@@ -114,7 +116,7 @@ std::vector<double> AngularSum::moments(const Rules& rules) const {
       for (const WeightedSphere& sphere : spheres) {
         const std::array<Tile, 8> odd = sum_of_every_other(functions, sphere.a, sphere.b, 0);
         const std::array<Tile, 8> even = sum_of_every_other(functions, sphere.a, sphere.b, 1);
-        for (std::size_t part : {0, 2})  // real, imaginary
+        for (std::size_t part : {std::size_t{0}, std::size_t{2}})  // real, imaginary
           for (std::size_t i = 0; i < kTile; ++i) {
             const std::size_t a_pi = part;
             const std::size_t a_tau = part + 1;
@@ -144,7 +146,7 @@ std::vector<double> AngularSum::moments(const Rules& rules) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < kTile; ++i) {
           sum += light[i] * legendre[i];
-          const double next = (2.0 - part) * mu[i] * legendre[i] - (1.0 - part) * before[i];
+          const double next = next_legendre(part, mu[i], legendre[i], before[i]);
           before[i] = legendre[i];
           legendre[i] = next;
         }

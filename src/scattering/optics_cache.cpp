@@ -1,17 +1,21 @@
 #include "optics_cache.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 #include "skylut/core/atomic_file.hpp"
+#include "skylut/core/context.hpp"
 
 namespace skylut {
 
@@ -20,21 +24,54 @@ namespace fs = std::filesystem;
 namespace {
 
 // Counts up whenever particle_optics() gives other numbers for the same request.
-constexpr int kAlgorithm = 1;
+constexpr int kAlgorithm = 2;
 
-fs::path cache_folder() {
-  if (const char* chosen = std::getenv("XDG_CACHE_HOME"); chosen != nullptr && *chosen == '/')
-    return fs::path(chosen) / "skylut";
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
-    return fs::path(home) / ".cache/skylut";
-  return {};
+// 13 wavelengths of 4000 moments are 1.2 MB.
+constexpr off_t kLargestFile_bytes = 16'000'000;
+
+// FNV-1a, 64 bit.
+std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char character : text) hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3;
+  return hash;
 }
 
-// FNV-1a, 64 bit. The file holds the whole key, so that a coincidence of names is harmless.
-fs::path file_for(const std::string& key) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char character : key) hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3;
-  return cache_folder() / fmt::format("aerosol-{:016x}.txt", hash);
+// The file holds the whole key, so that a coincidence of names is harmless.
+fs::path file_for(const Context& context, const std::string& key) {
+  return context.cache_folder / fmt::format("aerosol-{:016x}.txt", hash_of(key));
+}
+
+std::string checksum_line(std::string_view content) {
+  return fmt::format("checksum {:016x}\n", hash_of(content));
+}
+
+// A regular file of sensible size, itself and not where a link points; anything else, a pipe or a device that
+// would keep us waiting, is as good as no file.
+std::optional<std::string> read_regular_file(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return std::nullopt;
+  std::optional<std::string> text;
+  struct stat status {};
+  if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size <= kLargestFile_bytes) {
+    text.emplace(static_cast<std::size_t>(status.st_size), '\0');
+    std::size_t size = 0;
+    while (size < text->size()) {
+      const ssize_t got = ::read(file, text->data() + size, text->size() - size);
+      if (got <= 0) break;
+      size += static_cast<std::size_t>(got);
+    }
+    if (size != text->size()) text.reset();
+  }
+  ::close(file);
+  return text;
+}
+
+// The next line of a text, taken off its front.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
 }
 
 bool read_numbers(std::string_view line, std::vector<double>& numbers) {
@@ -47,6 +84,17 @@ bool read_numbers(std::string_view line, std::vector<double>& numbers) {
     numbers.push_back(value);
     at = stop == end ? end : stop + 1;
   }
+  return true;
+}
+
+// What Mie's theory can have given. Without absorption scattering is extinction but for rounding.
+bool is_possible(const ParticleOptics& optics) {
+  if (!(optics.extinction_um2 >= 0.0 && std::isfinite(optics.extinction_um2))) return false;
+  if (!(optics.scattering_um2 >= 0.0 && optics.scattering_um2 <= (1.0 + 1e-9) * optics.extinction_um2))
+    return false;
+  if (optics.moments.size() < 2 || optics.moments.front() != 1.0) return false;
+  for (const double moment : optics.moments)
+    if (!(std::abs(moment) <= 1.0)) return false;
   return true;
 }
 
@@ -66,37 +114,40 @@ std::string optics_key(const std::vector<AerosolComponent>& components,
   return key;
 }
 
-std::optional<std::vector<ParticleOptics>> find_in_cache(const std::string& key) {
-  if (cache_folder().empty()) return std::nullopt;
-  std::ifstream file(file_for(key));
-  std::string line;
-  if (!std::getline(file, line) || line != key) return std::nullopt;
+std::optional<std::vector<ParticleOptics>> find_in_cache(const Context& context, const std::string& key) {
+  if (context.cache_folder.empty()) return std::nullopt;
+  const std::optional<std::string> text = read_regular_file(file_for(context, key));
+  if (!text) return std::nullopt;
+  std::string_view rest = *text;
+  const std::string_view checksum = take_line(rest);
+  if (fmt::format("{}\n", checksum) != checksum_line(rest) || take_line(rest) != key) return std::nullopt;
   std::vector<ParticleOptics> results;
-  bool complete = false;
-  while (!complete && std::getline(file, line)) {
-    if (line == "end") {
-      complete = true;
-      continue;
-    }
+  for (std::string_view line = take_line(rest); line != "end"; line = take_line(rest)) {
     std::vector<double> numbers;
     if (!read_numbers(line, numbers) || numbers.size() < 4) return std::nullopt;
     results.push_back({numbers[0], numbers[1], {numbers.begin() + 2, numbers.end()}});
+    if (!is_possible(results.back())) return std::nullopt;
   }
-  if (!complete) return std::nullopt;
   return results;
 }
 
-void keep_in_cache(const std::string& key, const std::vector<ParticleOptics>& results) {
-  if (cache_folder().empty()) return;
-  std::string text = key + "\n";
+void keep_in_cache(const Context& context, const std::string& key,
+                   const std::vector<ParticleOptics>& results) {
+  if (context.cache_folder.empty()) return;
+  std::string content = key + "\n";
   for (const ParticleOptics& result : results)
-    text += fmt::format("{} {} {}\n", result.extinction_um2, result.scattering_um2,
-                        fmt::join(result.moments, " "));
-  text += "end\n";
+    content += fmt::format("{} {} {}\n", result.extinction_um2, result.scattering_um2,
+                           fmt::join(result.moments, " "));
+  content += "end\n";
   std::error_code ignored;
-  fs::create_directories(cache_folder(), ignored);
+  fs::create_directories(context.cache_folder, ignored);
+  const fs::path file = file_for(context, key);
+  // A pipe or a device in the file's place would be written to, and might keep us waiting.
+  if (fs::exists(fs::symlink_status(file, ignored)) &&
+      !fs::is_regular_file(fs::symlink_status(file, ignored)))
+    return;
   try {
-    write_text_atomically(file_for(key), text);
+    write_text_atomically(file, checksum_line(content) + content);
   } catch (const std::exception&) {
     // No place to keep it: the next run computes it again.
     return;

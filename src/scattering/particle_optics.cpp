@@ -7,6 +7,8 @@
 
 #include "angular_sum.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/interpolation.hpp"
 #include "skylut/core/parallel.hpp"
 #include "skylut/core/quadrature.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
@@ -36,11 +38,9 @@ struct Panel {
   double demand;  // for nodes, see kSharedNodes
 };
 
-double linear_held(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  if (at <= x.front()) return y.front();
-  if (at >= x.back()) return y.back();
-  const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+double at_wavelength(const AerosolComponent& component, const std::vector<double>& values, double at_nm) {
+  const Bracket at = held_bracket(component.wavelength_nm, at_nm);
+  return linear(values[at.below], values[at.above], at.part);
 }
 
 // What each panel holds, roughly: Q is taken as 2 x⁴ / (1 + x⁴).
@@ -116,7 +116,8 @@ void drop_tail(std::vector<double>& moments) {
 
 }  // namespace
 
-std::vector<ParticleOptics> particle_optics(const std::vector<AerosolComponent>& components,
+std::vector<ParticleOptics> particle_optics(const Context& context,
+                                            const std::vector<AerosolComponent>& components,
                                             const std::vector<double>& wavelength_nm, double fineness) {
   std::vector<std::vector<Node>> nodes;
   AngularSum::Rules rules;
@@ -127,14 +128,14 @@ std::vector<ParticleOptics> particle_optics(const std::vector<AerosolComponent>&
       AngularSum::prepare(rules, AngularSum::class_of(MieSphere::terms(per_um * node.radius_um)));
   }
   std::vector<ParticleOptics> results(wavelength_nm.size());
-  parallel_for(wavelength_nm.size(), 0, [&](std::size_t w) {
+  parallel_for(wavelength_nm.size(), context.threads, [&](std::size_t w) {
     const double per_um = 2.0 * kPi / (1e-3 * wavelength_nm[w]);
     ParticleOptics& result = results[w];
     AngularSum sum;
     for (const Node& node : nodes[w]) {
       const AerosolComponent& component = components[node.component];
-      const std::complex<double> index(linear_held(component.wavelength_nm, component.n, wavelength_nm[w]),
-                                       linear_held(component.wavelength_nm, component.k, wavelength_nm[w]));
+      const std::complex<double> index(at_wavelength(component, component.n, wavelength_nm[w]),
+                                       at_wavelength(component, component.k, wavelength_nm[w]));
       const MieSphere sphere(per_um * node.radius_um, index);
       const double area = kPi * node.radius_um * node.radius_um * node.number;
       result.extinction_um2 += area * sphere.q_ext();

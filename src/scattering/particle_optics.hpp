@@ -2,9 +2,11 @@
 
 #include <vector>
 
-#include "skylut/scattering/aerosol_description.hpp"
+#include "skylut/scattering/size_distribution.hpp"
 
 namespace skylut {
+
+struct Context;
 
 /// What a mixture of spheres does to light of one wavelength.
 struct ParticleOptics {
@@ -15,11 +17,12 @@ struct ParticleOptics {
 
 /// Integrates Mie's theory over the sizes of every component, one result per wavelength. [docs/aerosols.md
 /// P5-P6] Extinction, albedo and asymmetry are converged to 1e-4, 5e-4 without absorption
-/// (tests/unit/optics/particle_optics_test.cpp).
+/// (tests/unit/scattering/particle_optics_test.cpp).
 /// @param components     at least one; externally mixed
 /// @param wavelength_nm  each > 0
 /// @param fineness       number of radii, relative to the default
-std::vector<ParticleOptics> particle_optics(const std::vector<AerosolComponent>& components,
+std::vector<ParticleOptics> particle_optics(const Context& context,
+                                            const std::vector<AerosolComponent>& components,
                                             const std::vector<double>& wavelength_nm, double fineness = 1.0);
 
 }  // namespace skylut

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "skylut/core/errors.hpp"
+#include "skylut/core/legendre.hpp"
 
 namespace skylut {
 
@@ -49,8 +50,7 @@ double LegendrePhaseFunction::value(double cos_scattering_angle) const {
   double sum = moments_[0];
   for (std::size_t l = 1; l < moments_.size(); ++l) {
     const auto order = static_cast<double>(l);
-    const double next =
-        ((2.0 * order - 1.0) * cos_scattering_angle * legendre - (order - 1.0) * previous) / order;
+    const double next = next_legendre(1.0 / order, cos_scattering_angle, legendre, previous);
     previous = legendre;
     legendre = next;
     sum += (2.0 * order + 1.0) * moments_[l] * legendre;

@@ -27,13 +27,13 @@ double inverse_square_per_um2(double wavelength_nm) {
 
 }  // namespace
 
-double refractivity_of_air(double wavelength_nm, double carbon_dioxide_fraction) {
+double refractivity_peck_reeder1972(double wavelength_nm, double carbon_dioxide_fraction) {
   const double s = inverse_square_per_um2(wavelength_nm);
   const double at_300_ppm = 1e-8 * (8060.51 + 2480990.0 / (132.274 - s) + 17455.7 / (39.32957 - s));
   return at_300_ppm * (1.0 + 0.54 * (carbon_dioxide_fraction - 0.0003));
 }
 
-double king_factor_of_air(double wavelength_nm, double carbon_dioxide_fraction) {
+double king_factor_bates1984(double wavelength_nm, double carbon_dioxide_fraction) {
   const double s = inverse_square_per_um2(wavelength_nm);
   const double nitrogen = 1.034 + 3.17e-4 * s;
   const double oxygen = 1.096 + 1.385e-3 * s + 1.448e-4 * s * s;
@@ -44,28 +44,17 @@ double king_factor_of_air(double wavelength_nm, double carbon_dioxide_fraction) 
 }
 
 double depolarisation_of_air(double wavelength_nm, double carbon_dioxide_fraction) {
-  const double king_factor = king_factor_of_air(wavelength_nm, carbon_dioxide_fraction);
+  const double king_factor = king_factor_bates1984(wavelength_nm, carbon_dioxide_fraction);
   return 6.0 * (king_factor - 1.0) / (3.0 + 7.0 * king_factor);
 }
 
 double rayleigh_cross_section_m2(double wavelength_nm, double carbon_dioxide_fraction) {
-  const double n = 1.0 + refractivity_of_air(wavelength_nm, carbon_dioxide_fraction);
+  const double n = 1.0 + refractivity_peck_reeder1972(wavelength_nm, carbon_dioxide_fraction);
   const double lorentz = (n * n - 1.0) / (n * n + 2.0);
   const double wavelength_m = 1e-9 * wavelength_nm;
   const double square = wavelength_m * wavelength_m * kStandardDensity_per_m3;
   return 24.0 * kPi * kPi * kPi * lorentz * lorentz / (square * square) *
-         king_factor_of_air(wavelength_nm, carbon_dioxide_fraction);
-}
-
-double molar_mass_of_air_g_mol(double carbon_dioxide_fraction) {
-  return 15.0556 * carbon_dioxide_fraction + 28.9595;
-}
-
-double rayleigh_optical_depth(double wavelength_nm, double carbon_dioxide_fraction, double pressure_hPa,
-                              double gravity_m_s2) {
-  const double molecules_per_m2 = 100.0 * pressure_hPa * kAvogadro_per_mol /
-                                  (1e-3 * molar_mass_of_air_g_mol(carbon_dioxide_fraction) * gravity_m_s2);
-  return rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction) * molecules_per_m2;
+         king_factor_bates1984(wavelength_nm, carbon_dioxide_fraction);
 }
 
 }  // namespace skylut

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "skylut/core/interpolation.hpp"
+#include "skylut/core/legendre.hpp"
+
 namespace skylut {
 
 namespace {
@@ -54,7 +57,7 @@ std::vector<double> series(const std::vector<double>& moments, const std::vector
       const double part = 1.0 / (static_cast<double>(l) + 1.0);
       for (std::size_t i = 0; i < kTile; ++i) {
         sum[i] += weight * legendre[i];
-        const double next = (2.0 - part) * x[i] * legendre[i] - (1.0 - part) * before[i];
+        const double next = next_legendre(part, x[i], legendre[i], before[i]);
         before[i] = legendre[i];
         legendre[i] = next;
       }
@@ -83,11 +86,9 @@ double TabulatedPhaseFunction::value(double mu) const {
   const double position = kSteps_per_unit * coordinate(mu);
   const auto below =
       static_cast<std::size_t>(std::clamp(position, 1.0, static_cast<double>(table_.size() - 3)));
-  // Lagrange's cubic through four nodes.
-  const double t = position - static_cast<double>(below);
-  const double* const p = &table_[below];
-  return p[-1] * (-t * (t - 1.0) * (t - 2.0) / 6.0) + p[0] * ((t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0) +
-         p[1] * (-(t + 1.0) * t * (t - 2.0) / 2.0) + p[2] * ((t + 1.0) * t * (t - 1.0) / 6.0);
+  const std::array<double, 4> weight = cubic_weights(position - static_cast<double>(below));
+  const double* const p = &table_[below - 1];
+  return p[0] * weight[0] + p[1] * weight[1] + p[2] * weight[2] + p[3] * weight[3];
 }
 
 double TabulatedPhaseFunction::moment(int l) const {

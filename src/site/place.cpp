@@ -5,8 +5,10 @@
 #include <GeographicLib/Ellipsoid.hpp>
 #include <GeographicLib/NormalGravity.hpp>
 #include <cmath>
+#include <string_view>
 
 #include "place_range.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -15,13 +17,49 @@ namespace {
 
 using GeographicLib::DMS;
 
+// Blanks as people and documents write them: ASCII, no-break, narrow no-break, thin, figure and hair space.
+constexpr std::string_view kBlanks[] = {" ",      "\t",     "\n",     "\r",    "\u00A0",
+                                        "\u202F", "\u2009", "\u2007", "\u200A"};
+
+std::size_t blank_at(std::string_view text) {
+  for (const std::string_view blank : kBlanks)
+    if (text.starts_with(blank)) return blank.size();
+  return 0;
+}
+
+bool is_digit(char character) { return character >= '0' && character <= '9'; }
+
+// DMS takes no blanks: "48° 51′ 24″ N" becomes "48°51′24″N". A blank that parts two numbers is a colon
+// ("48 51 24 N"); one beside a decimal point stays, so that it is refused.
+std::string without_blanks(std::string_view text) {
+  std::string joined;
+  while (!text.empty()) {
+    std::size_t blanks = 0;
+    while (const std::size_t size = blank_at(text.substr(blanks))) blanks += size;
+    if (blanks == 0) {
+      joined += text.front();
+      text.remove_prefix(1);
+      continue;
+    }
+    const std::string_view before = joined;
+    const std::string_view after = text.substr(blanks);
+    text = after;
+    if (before.empty() || after.empty()) continue;
+    if (is_digit(before.back()) && is_digit(after.front()))
+      joined += ':';
+    else if (before.back() == '.' || (after.front() == '.' && is_digit(before.back())))
+      joined += ' ';
+  }
+  return joined;
+}
+
 // One coordinate in [-limit, limit]; a hemisphere letter must be its own.
 double parse_coordinate(const char* what, const std::string& text, DMS::flag expected, double limit_deg,
                         const char* example) {
   double value_deg = 0.0;
   DMS::flag found = DMS::NONE;
   try {
-    value_deg = DMS::Decode(text, found);
+    value_deg = DMS::Decode(without_blanks(text), found);
   } catch (const std::exception&) {
     throw InputError("{} '{}': is no angle; expected degrees or DMS, for example {}", what, text, example);
   }
@@ -40,8 +78,7 @@ void check_place(const Place& place) {
     throw InputError("latitude {}: must lie within -90 to 90 degrees", place.latitude_deg);
   if (!(std::abs(place.longitude_deg) <= 180.0))
     throw InputError("longitude {}: must lie within -180 to 180 degrees", place.longitude_deg);
-  if (!(place.height_m >= -500.0 && place.height_m <= 9000.0))
-    throw InputError("height {} m: must lie within -500 to 9000 m", place.height_m);
+  require_within("height", place.height_m, domain::kGroundHeight_m);
 }
 
 Place parse_place(const std::string& latitude, const std::string& longitude, double height_m) {

@@ -7,30 +7,37 @@
 
 namespace skylut {
 
+struct Context;
+
 /// Extraterrestrial solar irradiance at the mean Earth-Sun distance. Its mean over any band is exact.
 /// [docs/air.md §9]
 class SolarSpectrum {
  public:
   /// A spectrum that comes with skylut (profiles/spectra/solar_*.csv, 1 nm band means), or a file of one's
-  /// own.
-  ///   astm-g173     ASTM G-173-03 extraterrestrial (Gueymard 2004), 280.5-1030.5 nm; the default
-  ///   gueymard2003  Gueymard 2003/2004, 359.5-830.5 nm
-  ///   kurucz1992    Kurucz 1992, 359.5-830.5 nm
-  ///   a file        ends in .csv or has a slash: columns wavelength_nm, irradiance_W_m2_nm; straight lines
-  ///                 between its points
+  /// own:
+  /// - astm-g173: ASTM G-173-03 extraterrestrial, 280.5-1030.5 nm, the default (Gueymard 2004,
+  ///   doi:10.1016/j.solener.2003.08.039)
+  /// - gueymard2003: Gueymard 2003/2004, 359.5-830.5 nm
+  /// - kurucz1992: Kurucz 1992, 359.5-830.5 nm
+  /// - a file that ends in .csv or has a slash: columns wavelength_nm, irradiance_W_m2_nm; straight lines
+  ///   between its points
   /// @throws InputError  for an unknown name (naming those there are) or a file that is none
-  static SolarSpectrum load(const std::string& name_or_file = "astm-g173");
+  static SolarSpectrum load(const Context& context, const std::string& name_or_file = "astm-g173");
 
   /// The names that load() knows, the default first.
   static std::vector<std::string> names();
+
+  /// The file that it was read from; empty: none.
+  const std::string& file() const { return file_; }
 
   /// @param centre_nm  ascending, equally spaced; the bands touch
   /// @param mean_W_m2_nm  one per centre, > 0
   /// @throws InputError  for fewer than two bands, unequal steps or a value that is not positive
   SolarSpectrum(const std::vector<double>& centre_nm, const std::vector<double>& mean_W_m2_nm);
 
-  /// Mean irradiance over [wavelength - band/2, wavelength + band/2], W m⁻² nm⁻¹.
-  /// @throws InputError  for a band that is not positive or leaves the spectrum
+  /// Mean irradiance over [wavelength - band/2, wavelength + band/2], W m⁻² nm⁻¹; where the band reaches
+  /// beyond an end of the spectrum, over the part inside.
+  /// @throws InputError  for a band that is not positive, or a wavelength outside the spectrum
   double irradiance_W_m2_nm(double wavelength_nm, double band_nm) const;
 
   /// Irradiance between two wavelengths, W/m². @throws InputError if they leave the spectrum.
@@ -38,7 +45,9 @@ class SolarSpectrum {
 
  private:
   explicit SolarSpectrum(SpectralCurve curve) : curve_(std::move(curve)) {}
+
   SpectralCurve curve_;
+  std::string file_;
 };
 
 }  // namespace skylut

@@ -19,6 +19,8 @@ class SpectralCurve {
 
   double first_nm() const { return edge_nm_.front(); }
   double last_nm() const { return edge_nm_.back(); }
+  /// Edges of its pieces, ascending: the points it goes through, or the ends of its bands.
+  const std::vector<double>& edges_nm() const { return edge_nm_; }
   double lowest() const;
   double highest() const;
 
@@ -31,7 +33,6 @@ class SpectralCurve {
 
  private:
   SpectralCurve() = default;
-  std::size_t piece_of(double wavelength_nm) const;
   void require_inside(double lower_nm, double upper_nm) const;
   double integral_from_start(double wavelength_nm) const;
 

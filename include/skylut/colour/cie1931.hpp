@@ -8,6 +8,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// The CIE 1931 2° colour matching functions x̄, ȳ, z̄ at 5 nm steps, read from
 /// profiles/spectra/cie1931_2deg.csv. [fit.md C1-C3]
 class ColourMatching {
@@ -15,7 +17,7 @@ class ColourMatching {
   /// Reads the table of the installation.
   /// @throws WorkError   if the file is missing
   /// @throws InputError  "file:line: …" if it does not hold what its header says
-  static ColourMatching load();
+  static ColourMatching load(const Context& context);
 
   /// Tristimulus values of a spectrum: X = K_m ∫ L(λ) x̄(λ) dλ with K_m = 683.002 lm/W, and so on.
   ///
@@ -33,6 +35,9 @@ class ColourMatching {
 
   /// The same as one weight per wavelength of the grid: X = Σ weight.X[i] L[i]. For many spectra on one grid.
   std::vector<Xyz> weights(const WavelengthGrid& grid) const;
+
+  /// Part of ∫ V(λ) dλ, V = ȳ, that lies between two wavelengths, [0, 1]; to 1e-4. @param first_nm  <= last_nm
+  double part_of_vision(double first_nm, double last_nm) const;
 
   /// x̄, ȳ, z̄ at one wavelength, linear between the table's; 0 outside it.
   Xyz at(double wavelength_nm) const;

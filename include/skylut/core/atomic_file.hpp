@@ -1,23 +1,22 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string_view>
 
 namespace skylut {
 
-/// Writes a file so that it appears under its final name only when it is complete: `write` gets a
-/// temporary path in the same folder, which is renamed when it returns and removed when it throws
-/// or when the program is interrupted. A pipe or a device (/dev/stdout) is written to directly.
-/// @throws WorkError  naming the file if it cannot be written or renamed (no such folder, no
-///                    permission, disk full, a directory in the way)
-void write_atomically(const std::filesystem::path& path,
-                      const std::function<void(const std::filesystem::path& temporary)>& write);
-
-/// The same for a text that is already in memory.
+/// Writes a file so that it appears under its name only when it is complete and on the disk: the bytes go to
+/// a temporary file beside it (`<name>.skylut-<16 hex digits>.tmp`, new, never through a link), which takes
+/// the name when it is done and is removed when anything fails. A file that is replaced hands on its
+/// permissions, a new one has those of the umask; a symbolic link of that name is replaced, its target
+/// untouched. Temporary files of the same name that a killed run has left are cleared. A pipe, a device or an
+/// open descriptor
+/// (/dev/stdout) is written to directly.
+/// @throws WorkError  naming the file if it cannot be written or renamed (no such folder, no permission, disk
+///                    full, a directory in the way)
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
-/// Removes the temporary files of writes under way; safe to call from a signal handler.
+/// Removes the temporary files of writes under way; safe to call from a signal handler that ends the program.
 void remove_unfinished_files() noexcept;
 
 }  // namespace skylut

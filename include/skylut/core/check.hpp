@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 /// Preconditions that only our own mistakes can break: a failed check says where, what and with which
-/// operands, and ends the program. On in Debug builds and wherever SKYLUT_CHECKS is defined (the tests of
-/// every build type); otherwise no code at all. What a user can get wrong is an InputError, never a check.
+/// operands, and ends the program. On in Debug builds and where the CMake option SKYLUT_CHECKS is ON (the
+/// `sanitize` preset); no code at all in what users run. What a user can get wrong is an InputError, never a
+/// check.
 namespace skylut::detail {
 
 /// Prints one line to standard error and aborts.
@@ -20,8 +21,8 @@ template <class A, class B>
 #if defined(SKYLUT_CHECKS) || !defined(NDEBUG)
 #define SKYLUT_CHECK(condition) \
   ((condition) ? static_cast<void>(0) : ::skylut::detail::check_failed(__FILE__, __LINE__, #condition, ""))
-#define SKYLUT_CHECK_OPERANDS(a, comparison, b)                                                       \
-  (((a)comparison(b)) ? static_cast<void>(0)                                                          \
+#define SKYLUT_CHECK_OPERANDS(a, comparison, b) \
+  (((a)comparison(b)) ? static_cast<void>(0)    \
                       : ::skylut::detail::check_failed(__FILE__, __LINE__, #a " " #comparison " " #b, a, b))
 #else
 #define SKYLUT_CHECK(condition) static_cast<void>(0)

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "skylut/core/domain.hpp"
+
 namespace skylut {
 
 /// A place inside a JSON document that knows its own name, so that every refusal is one line naming
@@ -26,6 +28,8 @@ class JsonReader {
   /// A finite number within [lower, upper]. @throws InputError
   double number(double lower, double upper, const std::string& range) const;
   double number() const;
+  /// A number of the domain. @throws InputError naming the range
+  double number(const Range& range) const;
   std::string text() const;
   std::vector<double> numbers(double lower, double upper, const std::string& range) const;
 
@@ -40,7 +44,8 @@ class JsonReader {
   std::string name_;
 };
 
-/// Parses a whole file. @throws InputError if it cannot be read or is not JSON
+/// Parses a whole file. @throws InputError if it cannot be read, is not JSON, is larger or deeper than the
+/// domain allows, or gives a key twice in one object
 nlohmann::ordered_json read_json_file(const std::string& path);
 
 }  // namespace skylut

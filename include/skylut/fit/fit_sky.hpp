@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "skylut/models/sky_model.hpp"
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/fit/fit_perez.hpp"
@@ -48,10 +47,5 @@ SkyFit fit_sky(std::span<const Direction> views, std::span<const Yxy> sky, const
 /// The same for directions given by their angles alone.
 SkyFit fit_sky(std::span<const SkyDirection> views, std::span<const Yxy> sky, double sun_zenith_rad,
                const SkyFitOptions& options = {});
-
-/// Three Perez formulas and a zenith colour as a sky for the one sun they were fitted for.
-/// @return Y in the unit of `zenith`
-Yxy perez_sky(const PerezCoefficients& Y, const PerezCoefficients& x, const PerezCoefficients& y,
-              const Yxy& zenith, double view_zenith_rad, double gamma_rad, double sun_zenith_rad);
 
 }  // namespace skylut

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "skylut/profile/report2005.hpp"
+
 namespace skylut {
+
+struct Context;
 
 /// One data column of a profile file as it was read: what it is, in which unit, and from where.
 struct ProfileColumn {
@@ -20,26 +25,18 @@ struct GasProfile {
   std::vector<double> density_per_m3;  ///< molecules/m³, one per level, >= 0
 };
 
-/// One level of the report's Table 3.1 (UTM report 2005 §3.3.1).
-struct LevelQuantities {
-  double altitude_km = 0.0;
-  double temperature_K = 0.0;
-  double pressure_hPa = 0.0;
-  double ozone_temperature_K = 0.0;  ///< effective ozone temperature T_eo
-  double relative_humidity_percent = 0.0;
-  double oxygen_path_km = 0.0;  ///< scaled path length u_g, eq. 3.11
-  double carbon_dioxide_path_km = 0.0;
-  double precipitable_water_cm = 0.0;  ///< above the level
-  double ozone_atm_cm = 0.0;           ///< above the level; 1000 DU = 1 atm-cm
-};
-
 /// An atmosphere by altitude above its ground (level 0). Levels ascend and reach 100 km or more: a
-/// file that ends lower (at 30 km or above) is continued with the shape of the 1976 standard.
+/// file that ends lower (at 10 km above sea level or higher) is continued with the shape of the 1976
+/// standard. The air weighs what its pressures say, see docs/air.md A54.
 struct Profile {
   std::string name;
   std::string description;
   std::string source;
-  double described_top_km = 0.0;  ///< highest level of the file; above it, continued
+  std::string file;               ///< that it was read from; empty: none
+  double described_top_km = 0.0;  ///< highest level of the file, above the ground; above it, continued
+  /// Of the ground above sea level, if the file says it; without, the ground is at sea level unless a place
+  /// says otherwise.
+  std::optional<double> ground_height_km;
 
   std::vector<double> altitude_km;  ///< ascending, the first is 0, the last >= 100
   std::vector<double> temperature_K;
@@ -48,24 +45,27 @@ struct Profile {
   /// Aerosol extinction by level, any unit; empty: the aerosol's own vertical shape.
   std::vector<double> relative_aerosol_extinction;
 
-  std::vector<ProfileColumn> columns;       ///< as read, described levels only
-  std::vector<LevelQuantities> quantities;  ///< Table 3.1's, at the described levels
-  std::string quantities_source;            ///< how they were obtained
-  bool quantities_printed = false;          ///< by a report, hence not what the levels hold
+  std::vector<ProfileColumn> columns;     ///< as read, described levels only
+  std::optional<Report2005> report_2005;  ///< what the report prints of its own profile
+
+  /// What was done to the file's numbers that its author may not expect, one sentence each; for warnings and
+  /// provenance. Empty for the profiles that come with skylut.
+  std::vector<std::string> notes;
 
   /// The gas of that name, or nullptr.
   const GasProfile* gas(std::string_view gas_name) const;
 };
 
-/// Reads a profile that comes with skylut by name ("ussa1976", "utm2005"), or a TOML file if the text
+/// Reads a profile that comes with skylut by name (one of profile_names()), or a TOML file if the text
 /// ends in .toml or holds a '/'. Format: docs/air.md.
 /// @throws InputError  one line naming file (and line), key, value and what would be right: unknown
 ///                     name, broken TOML, unknown key or unit, missing column, NaN, duplicate
-///                     altitude, negative density, first level not 0, top below 30 km
-Profile load_profile(const std::string& name_or_path);
+///                     altitude, negative density, top below 10 km, pressures that ask for air twice or
+///                     half as warm as the temperatures
+Profile load_profile(const Context& context, const std::string& name_or_path);
 
 /// Names of the profiles that come with skylut, sorted.
-std::vector<std::string> profile_names();
+std::vector<std::string> profile_names(const Context& context);
 
 /// Temperature, pressure and number density of the air at one altitude.
 struct AirState {
@@ -93,17 +93,23 @@ double gas_column_per_m2(const Profile& profile, const GasProfile& gas, double l
 /// Molecules/m² of air between two altitudes; Gauss-Legendre on every piece, relative accuracy 1e-9.
 double air_column_per_m2(const Profile& profile, double lower_km, double upper_km);
 
-/// The same profile with a gas scaled to a column above the ground.
+/// Scales a gas of the profile to a column above the ground.
 /// @throws InputError  for a gas the profile does not hold, or a column that is negative or not finite
 void scale_gas_column(Profile& profile, std::string_view gas_name, double column_per_m2);
 
-/// The same profile with another pressure at the ground: pressure and the well-mixed gases (oxygen, carbon
-/// dioxide) by the same factor at every level. Temperature and the other gases stay as they are.
+/// Gives the profile another pressure at the ground: pressure and the well-mixed gases (oxygen, carbon
+/// dioxide) are scaled by the same factor at every level. Temperature and the other gases stay as they are.
 /// @throws InputError  for a pressure that is not positive and finite
 void scale_surface_pressure(Profile& profile, double pressure_hPa);
 
-/// Table 3.1's quantities anew, after gases or pressure were scaled; those printed by a report stay.
-void update_quantities(Profile& profile);
+/// The part of an atmosphere above a height of it, as an atmosphere whose ground is there: what lies above a
+/// mountain. Levels count from the new ground, temperature, pressure and gases there are those between the
+/// levels, gases keep the columns they have above that height; 100 km are reached as before. Below its own
+/// ground (a depression) the lowest piece goes on with its lapse rate. Says so in the notes; 0 changes
+/// nothing.
+/// @param ground_km  of the new ground above the profile's own, domain::kGroundHeight_m
+/// @throws InputError  for a height out of range
+Profile raised_to(const Profile& profile, double ground_km);
 
 /// Molecules/m² in a precipitable water of 1 cm (1 g/cm²): N_A / 18.01528 g/mol.
 double water_molecules_per_m2_cm();

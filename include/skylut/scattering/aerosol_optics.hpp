@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "skylut/scattering/phase_function.hpp"
-#include "skylut/scattering/tabulated_phase_function.hpp"
 #include "skylut/scattering/aerosol_description.hpp"
 #include "skylut/scattering/aerosol_shape.hpp"
+#include "skylut/scattering/phase_function.hpp"
+#include "skylut/scattering/tabulated_phase_function.hpp"
 
 namespace skylut {
+
+struct Context;
 
 /// What aerosol does to light, per unit of optical depth, and where it is. The default is rural aerosol with
 /// a Henyey-Greenstein phase function; load_aerosol() gives better ones. [docs/aerosols.md]
@@ -31,12 +33,16 @@ struct AerosolOptics {
   std::vector<double> relative_extinction;
   std::vector<std::shared_ptr<const TabulatedPhaseFunction>> phase;
 
+  /// What the particles are; none where the optics were given by hand.
+  std::shared_ptr<const AerosolDescription> description;
+
   /// Used unless the profile says where the aerosol is.
   AerosolShape shape;
   /// Optics of the shape's stratospheric layer; none: the same as these.
   std::shared_ptr<const AerosolOptics> stratosphere;
 
-  /// @throws InputError  naming the member that is out of range: exponent in [-1, 4], albedo in [0, 1],
+  /// @throws InputError  naming the member that is out of range: exponent (where there is no
+  ///                     relative_extinction) in domain::kAngstromExponent, albedo in [0, 1],
   ///                     |asymmetry| < 1, wavelengths ascending, all lists of one length, heights > 0
   void validate() const;
 
@@ -64,11 +70,11 @@ struct AerosolOptics {
 };
 
 /// Optics of a description: Mie's theory for its particles, at 13 wavelengths from 300 to 1000 nm. Takes
-/// 0.2-2 s of one core the first time, some 0.05 s later (kept in $XDG_CACHE_HOME/skylut).
-AerosolOptics aerosol_optics(const AerosolDescription& description);
+/// 0.2-2 s of one core the first time, some 0.05 s later (kept in the context's cache folder).
+AerosolOptics aerosol_optics(const Context& context, const AerosolDescription& description);
 
 /// Reads and computes an aerosol. @throws InputError as load_aerosol_description()
-AerosolOptics load_aerosol(const std::string& name_or_path,
+AerosolOptics load_aerosol(const Context& context, const std::string& name_or_path,
                            std::optional<double> humidity_percent = std::nullopt);
 
 }  // namespace skylut

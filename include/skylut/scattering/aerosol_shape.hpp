@@ -25,18 +25,14 @@ struct AerosolShape {
   /// Share of the stratospheric layer in a total optical depth at 500 nm, [0, 1].
   double stratospheric_share(double aod500) const;
 
-  /// Part of the haze, and of the layer, between two altitudes of an atmosphere that ends at top_km; 1
-  /// over all.
+  /// Part of the haze, and of the stratospheric layer, between two altitudes of an atmosphere that ends at
+  /// top_km; 1 over all.
   double haze_between(double lower_km, double upper_km, double top_km) const;
-  double layer_between(double lower_km, double upper_km, double top_km) const;
+  double stratospheric_between(double lower_km, double upper_km, double top_km) const;
 
   /// Their derivatives: extinction at one altitude per unit of optical depth, 1/km.
   double haze_density_per_km(double altitude_km, double top_km) const;
-  double layer_density_per_km(double altitude_km, double top_km) const;
-
-  /// Haze and layer together at 500 nm: shares of a total optical depth.
-  double part_between(double lower_km, double upper_km, double top_km, double aod500) const;
-  double density_per_km(double altitude_km, double top_km, double aod500) const;
+  double stratospheric_density_per_km(double altitude_km, double top_km) const;
 
   /// @throws InputError  naming the member that is out of range: mixed layer 0-10 km, scale height 0.1-20
   ///                     km, altitudes ascending from 0 with as many values >= 0, not all 0; layer's optical

@@ -6,10 +6,11 @@
 namespace skylut {
 
 /// Scattering of a plane wave by a homogeneous sphere: Mie's series after Bohren and Huffman 1983
-/// (chapter 4), with logarithmic derivatives by downward recurrence. [docs/aerosols.md P1-P4]
+/// (doi:10.1002/9783527618156, chapter 4), with logarithmic derivatives by downward recurrence.
+/// [docs/aerosols.md P1-P4]
 ///
 /// Accuracy: efficiencies and asymmetry within 1e-8 of a 60-digit calculation for size parameters
-/// 1e-3 to 3000, index 1.2-1.9, absorption 0-0.5 (tests/unit/optics/mie_sphere_test.cpp).
+/// 1e-3 to 3000, index 1.2-1.9, absorption 0-0.5 (tests/unit/scattering/mie_sphere_test.cpp).
 class MieSphere {
  public:
   /// @param size_parameter    x = 2π r/λ, λ in the surrounding medium, [1e-6, 1e5]
@@ -43,8 +44,8 @@ class MieSphere {
   const std::vector<std::complex<double>>& a() const { return a_; }
   const std::vector<std::complex<double>>& b() const { return b_; }
 
-  /// Terms of the series, N = x + 4.6 x^(1/3) + 6: more than Wiscombe 1980 eq. 15 (4.05, 2) for the sake of
-  /// the phase function's minima.
+  /// Terms of the series, N = x + 4.6 x^(1/3) + 6: more than Wiscombe 1980 (doi:10.1364/AO.19.001505) eq. 15
+  /// (4.05, 2) for the sake of the phase function's minima.
   static int terms(double size_parameter);
 
  private:

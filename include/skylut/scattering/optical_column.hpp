@@ -28,7 +28,7 @@ struct OpticalColumn {
 struct Shells {
   /// Layer boundaries above the ground, ascending, the first is 0, the last at most 10,000.
   std::vector<double> levels_km;
-  double planet_radius_km = 6371.0;  ///< of the ground, [500, 1e9]
+  double planet_radius_km = 6371.0;  ///< of the ground, [1000, 1e9]
 };
 
 }  // namespace skylut

@@ -20,7 +20,7 @@ class PhaseFunction {
 };
 
 /// Rayleigh scattering with depolarisation: p = 3 [(1+3γ) + (1-γ) cos²Θ] / (4 (1+2γ)), γ = ρ/(2-ρ)
-/// (Bucholtz 1995, eqs. 11-12; ρ = 0 gives ¾(1+cos²Θ)). χ_2 = (1-γ) / (10 (1+2γ)).
+/// (Bucholtz 1995, doi:10.1364/AO.34.002765, eqs. 11-12; ρ = 0 gives ¾(1+cos²Θ)). χ_2 = (1-γ) / (10 (1+2γ)).
 class RayleighPhaseFunction final : public PhaseFunction {
  public:
   /// @param depolarisation  depolarisation ratio ρ in [0, 0.5]; 0 for a scalar point dipole
@@ -32,7 +32,7 @@ class RayleighPhaseFunction final : public PhaseFunction {
   double gamma_;
 };
 
-/// Henyey and Greenstein 1941: p = (1-g²)/(1+g²-2g cosΘ)^{3/2}, χ_l = g^l.
+/// Henyey and Greenstein 1941, doi:10.1086/144246: p = (1-g²)/(1+g²-2g cosΘ)^{3/2}, χ_l = g^l.
 class HenyeyGreensteinPhaseFunction final : public PhaseFunction {
  public:
   /// @param asymmetry  g in (-1, 1)

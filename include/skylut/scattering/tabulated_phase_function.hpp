@@ -8,7 +8,7 @@
 namespace skylut {
 
 /// A phase function given by its Legendre moments and tabulated by angle, fine towards forward: value() is
-/// a look-up, within 1e-3 of the series for mixtures of sizes (tests/unit/optics). [docs/aerosols.md P7]
+/// a look-up, within 1e-3 of the series for mixtures of sizes (tests/unit/scattering). [docs/aerosols.md P7]
 class TabulatedPhaseFunction final : public PhaseFunction {
  public:
   /// @param moments  χ_0 = 1, χ_1, …

@@ -14,7 +14,8 @@ struct Place {
 };
 
 /// Reads a place from texts as GeographicLib's DMS class does: decimal degrees ("-33.9", "33.9S") or
-/// degrees, minutes and seconds ("40d26'47\"N", "79:58:56W").
+/// degrees, minutes and seconds ("40d26'47\"N", "79:58:56W"), with or without blanks between its parts
+/// ("N 40° 26′ 47″", "40 26 47 N").
 /// @throws InputError  naming the coordinate and its text if it is no coordinate, if a latitude is
 ///                     given for the longitude or the other way round, or if it is out of range
 Place parse_place(const std::string& latitude, const std::string& longitude, double height_m);

@@ -18,7 +18,7 @@ struct SunIrradianceOptions {
 
 /// Transmittance of one constituent along the sun's beam.
 struct ConstituentTransmittance {
-  std::string name;               ///< as in Constituent
+  std::string name;               ///< of the constituent
   std::vector<double> band_mean;  ///< per wavelength, [0, 1]; 0 where the ground hides the sun
 };
 
@@ -33,6 +33,9 @@ struct SunIrradiance {
   std::vector<double> diffuse_horizontal;  ///< from above on a horizontal plane, without the beam
   std::vector<double> circumsolar_normal;  ///< diffuse light around the sun, normal to the beam
   std::vector<ConstituentTransmittance> transmittance;
+  /// Lux per W m⁻² nm⁻¹, K_m V(λ) step: illuminance = Σ weight irradiance.
+  std::vector<double> luminous_weight;
+  std::string instruction_set;  ///< of the kernel that computed the diffuse light; empty: none
 
   /// Direct and diffuse light on a horizontal plane; empty without diffuse light.
   std::vector<double> global_horizontal() const;
@@ -49,10 +52,17 @@ struct SunIrradiance {
 SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer);
 
+/// @throws InputError  unless the scene has one altitude, one turbidity and one sun
+void require_one_of_each(const SkyScene& scene);
+
 /// Σ irradiance · step, W/m².
 double broadband_W_m2(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths);
 
 /// Illuminance K_m Σ irradiance V(λ) step, lux; the wavelengths should span the visible range.
-double illuminance_lux(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths);
+/// @param luminous_weight  as SunIrradiance holds it
+double illuminance_lux(const std::vector<double>& irradiance, const std::vector<double>& luminous_weight);
+
+/// K_m V(λ) step of every wavelength, lux per W m⁻² nm⁻¹.
+std::vector<double> luminous_weights(const Context& context, const WavelengthGrid& wavelengths);
 
 }  // namespace skylut

@@ -1,13 +1,12 @@
-#include "support/test_context.hpp"
-#include "support/test_context.hpp"
 #include "skylut/cases/optical_case.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "skylut/core/errors.hpp"
 #include "skylut/cases/solve_case.hpp"
+#include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -24,20 +23,20 @@ OpticalCaseRequest request() {
 // The case is the same air: solving it gives the radiances of the air's own columns. 1e-4: moments end where
 // they add 1e-7 to the phase function, radiances are 32-bit floats.
 TEST(OpticalCase, SolvesToTheSameRadiances) {
-  const Atmosphere air(load_profile("ussa1976"), {});
-  const auto solved = solve_case(test::context, test::context, optical_case(air, request()), "case", {});
-  const std::vector<ColumnTerm> terms = air.band_columns(550.0, 5.0, 0.3);
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
+  const auto solved = solve_case(test::context, optical_case(air, request()), "case", {});
+  const std::vector<BandColumn> terms = air.band_columns({550.0, 5.0}, 0.3);
   ASSERT_EQ(terms.size(), 1u);
-  const SkyRadiance sky =
-      solve_sky_radiance(test::context, test::context, air.shells(), {&terms[0].column, 1}, {{1.0}, {60.0}, request().views}, {});
+  const SkyRadiance sky = solve_sky_radiance(test::context, air.shells(), {&terms[0].column, 1},
+                                             {{1.0}, {60.0}, request().views}, {});
   for (std::size_t i = 0; i < request().views.size(); ++i)
     EXPECT_NEAR(solved["results"][i]["radiance"].get<double>() / sky.at(0, 0, 0, i), 1.0, 1e-4) << i;
 }
 
 TEST(OpticalCase, HoldsTheAirsDepths) {
   AtmosphereOptions options;
-  options.ground_albedo = GroundAlbedo::load("grass");
-  const Atmosphere air(load_profile("ussa1976"), options);
+  options.ground_albedo = GroundAlbedo::load(test::context, "grass");
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), options);
   const auto document = optical_case(air, request());
   double rayleigh = 0.0;
   double aerosol = 0.0;
@@ -56,26 +55,31 @@ TEST(OpticalCase, HoldsTheAirsDepths) {
 TEST(OpticalCase, WithoutAerosolThereAreNoMoments) {
   OpticalCaseRequest clear = request();
   clear.aod500 = 0.0;
-  const auto document = optical_case(Atmosphere(load_profile("ussa1976"), {}), clear);
+  const auto document =
+      optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), clear);
   EXPECT_FALSE(document["layers"][0].contains("phase_moments_aerosol"));
-  EXPECT_NO_THROW(solve_case(test::context, test::context, document, "case", {}));
+  EXPECT_NO_THROW(solve_case(test::context, document, "case", {}));
 }
 
 TEST(OpticalCase, TermsAreChosenByNumber) {
   OpticalCaseRequest chosen = request();
   chosen.absorption_term = 1;
-  EXPECT_EQ(optical_case(Atmosphere(load_profile("ussa1976"), {}), chosen)["absorption_term_weight"], 1.0);
+  EXPECT_EQ(optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}),
+                         chosen)["absorption_term_weight"],
+            1.0);
   chosen.absorption_term = 2;
-  EXPECT_THROW(optical_case(Atmosphere(load_profile("ussa1976"), {}), chosen), InputError);
+  EXPECT_THROW(optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), chosen),
+               InputError);
 }
 
 // Moments stand instead of the asymmetry; a wrong list or depolarisation is named.
 TEST(OpticalCase, SolveRefusesBrokenMoments) {
   const auto refused = [](const auto& spoil, const std::string& named) {
-    auto document = optical_case(Atmosphere(load_profile("ussa1976"), {}), request());
+    auto document =
+        optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), request());
     spoil(document);
     try {
-      solve_case(test::context, test::context, document, "case.json", {});
+      solve_case(test::context, document, "case.json", {});
       ADD_FAILURE() << named;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();

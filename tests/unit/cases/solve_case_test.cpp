@@ -1,4 +1,3 @@
-#include "support/test_context.hpp"
 #include "skylut/cases/solve_case.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "skylut/core/json_reader.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/json_reader.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -173,6 +173,9 @@ TEST(SolveCase, RefusesWrongSkies) {
       {"observer low", [](Json& c) { c["observer_altitude_km"] = -1; }, {"observer_altitude_km", "-1"}},
       {"sun", [](Json& c) { c["sun_zenith_deg"] = 97; }, {"sun_zenith_deg", "97", "96"}},
       {"radius", [](Json& c) { c["planet_radius_km"] = nullptr; }, {"planet_radius_km", "null"}},
+      {"small planet",
+       [](Json& c) { c["planet_radius_km"] = 999.0; },
+       {"planet_radius_km: 999.0 must be a number within 1000-1000000000 km"}},
       {"results", [](Json& c) { c.erase("results"); }, {"results", "outputs"}},
       {"no layers", [](Json& c) { c["layers"] = Json::array(); }, {"layers", "at least one"}},
       {"both phases",

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "support/test_context.hpp"
-#include "skylut/core/json_reader.hpp"
 #include "skylut/cases/solve_case.hpp"
+#include "skylut/core/json_reader.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -56,7 +57,7 @@ class ProfileFileTest : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
     try {
-      load_profile(write(text));
+      load_profile(test::context, write(text));
     } catch (const InputError& error) {
       const std::string message = error.what();
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -71,12 +72,12 @@ class ProfileFileTest : public testing::Test {
 };
 
 TEST_F(ProfileFileTest, LevelsInAnyOrderAndUnits) {
-  const Profile profile = load_profile(write(kValid));
+  const Profile profile = load_profile(test::context, write(kValid));
   EXPECT_EQ(profile.name, "mine");
   EXPECT_EQ(profile.described_top_km, 30.0);
-  EXPECT_EQ(profile.altitude_km[1], 10.0);
+  EXPECT_NEAR(air_state(profile, 10.0).temperature_K, 223.15, 1e-9);
   EXPECT_NEAR(profile.temperature_K[0], 288.15, 1e-12);
-  EXPECT_NEAR(profile.pressure_hPa[2], 12.0, 1e-12);
+  EXPECT_NEAR(air_state(profile, 30.0).pressure_hPa, 12.0, 1e-12);
   const AirState ground = air_state(profile, 0.0);
   EXPECT_NEAR(profile.gas("ozone")->density_per_m3[0] / ground.density_per_m3, 0.03e-6, 1e-18);
   EXPECT_NEAR(profile.gas("oxygen")->density_per_m3[0] / ground.density_per_m3, 0.209476, 1e-12);
@@ -89,8 +90,8 @@ TEST_F(ProfileFileTest, LevelsInAnyOrderAndUnits) {
 
 // Above its last level a short profile goes on with the standard's shape, joined without a step.
 TEST_F(ProfileFileTest, ShortProfileIsContinued) {
-  const Profile profile = load_profile(write(kValid));
-  const Profile standard = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, write(kValid));
+  const Profile standard = load_profile(test::context, "ussa1976");
   EXPECT_EQ(profile.altitude_km.back(), 100.0);
   EXPECT_EQ(profile.altitude_km.size(), profile.temperature_K.size());
   EXPECT_EQ(profile.altitude_km.size(), profile.relative_aerosol_extinction.size());
@@ -102,10 +103,9 @@ TEST_F(ProfileFileTest, ShortProfileIsContinued) {
 }
 
 TEST_F(ProfileFileTest, SaysWhatIsWrong) {
-  EXPECT_EQ(
-      refusal("source = \"invented\"", "sauce = \"invented\""),
-      "p.toml:3: sauce: unknown key; expected one of name, description, source, temperature_and_pressure_of, "
-      "standard_layers, total, report_2005, column");
+  EXPECT_EQ(refusal("source = \"invented\"", "sauce = \"invented\""),
+            "p.toml:3: sauce: unknown key; expected one of name, description, source, ground_m, "
+            "temperature_and_pressure_of, standard_layers, total, report_2005, column");
   EXPECT_EQ(refusal("[column.ozone]", "[column.argon]"),
             "p.toml:16: column.argon: unknown key; expected one of altitude, temperature, pressure, ozone, "
             "water_vapour, nitrogen_dioxide, oxygen, carbon_dioxide, aerosol");
@@ -125,10 +125,20 @@ TEST_F(ProfileFileTest, SaysWhatIsWrong) {
             "p.toml:19: column.ozone.values: entry 1 is no number");
   EXPECT_EQ(refusal("[30, 0, 10]", "[30, 0, 30]"),
             "p.toml:7: column.altitude.values[2] = 30: this altitude is given twice; must be given once");
-  EXPECT_EQ(refusal("[30, 0, 10]", "[30, 1, 10]"),
-            "p.toml:7: column.altitude.values[1] = 1: the lowest level must be the ground, 0");
-  EXPECT_EQ(refusal("[30, 0, 10]", "[29, 0, 10]"),
-            "p.toml:7: column.altitude.values[0] = 29: the highest level must be at 30 km or above");
+  EXPECT_EQ(
+      refusal("[30, 0, 10]", "[30, 9.1, 10]"),
+      "p.toml:7: column.altitude.values[1] = 9.1: the lowest level is the ground: must lie within -0.5 to 9 "
+      "km");
+  EXPECT_EQ(refusal("[30, 0, 10]", "[9.9, 0, 9]"),
+            "p.toml:7: column.altitude.values[0] = 9.9: the highest level must be at 10 km or above");
+  EXPECT_EQ(refusal("source = \"invented\"", "source = \"invented\"\nground_m = 9001"),
+            "p.toml:4: ground_m: is 9001; must lie within -500 to 9000 m above sea level");
+  EXPECT_EQ(refusal("source = \"invented\"", "source = \"invented\"\nground_m = -10"),
+            "p.toml:4: ground_m: is -10; must not lie below the lowest level, 0 km");
+  // 10 km that cost no more than 3 hPa.
+  EXPECT_TRUE(refusal("[1200, 101325, 26500]", "[1200, 101325, 101000]")
+                  .starts_with("p.toml: between 0 and 10 km the pressures ask for air 418 times as warm as"))
+      << refusal("[1200, 101325, 26500]", "[1200, 101325, 101000]");
   EXPECT_EQ(refusal("[1200, 101325, 26500]", "[1200, 101325, -26500]"),
             "p.toml:15: column.pressure.values[2] = -26500: must be greater than 0 and at most 2000 hPa");
   EXPECT_EQ(refusal("[1200, 101325, 26500]", "[1200, 101325, 126500]"),
@@ -156,7 +166,7 @@ TEST_F(ProfileFileTest, BrokenSyntaxNamesTheLine) {
 TEST_F(ProfileFileTest, WhichProfile) {
   const auto message = [](const std::string& name) -> std::string {
     try {
-      load_profile(name);
+      load_profile(test::context, name);
     } catch (const InputError& error) {
       return error.what();
     }

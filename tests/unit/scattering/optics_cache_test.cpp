@@ -1,11 +1,16 @@
 #include "optics_cache.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -15,7 +20,7 @@ namespace fs = std::filesystem;
 class OpticsCache : public testing::Test {
  protected:
   OpticsCache() : folder_(fs::temp_directory_path() / ("skylut-cache-" + std::to_string(::getpid()))) {
-    ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
+    context_.cache_folder = folder_ / "skylut";
   }
   ~OpticsCache() override {
     fs::permissions(folder_, fs::perms::owner_all, ignored_);
@@ -24,16 +29,22 @@ class OpticsCache : public testing::Test {
 
   fs::path only_file() const { return fs::directory_iterator(folder_ / "skylut")->path(); }
 
+  static std::string text_of(const fs::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
   fs::path folder_;
+  Context context_ = test::context;
   std::error_code ignored_;
 };
 
 const std::vector<ParticleOptics> kResults{{1.0 / 3.0, 0.1, {1.0, 0.7, -1e-9}}, {2e-12, 1e-12, {1.0, 0.1}}};
 
 TEST_F(OpticsCache, GivesBackWhatItGot) {
-  EXPECT_FALSE(find_in_cache("key"));
-  keep_in_cache("key", kResults);
-  const auto found = find_in_cache("key");
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  keep_in_cache(context_, "key", kResults);
+  const auto found = find_in_cache(context_, "key");
   ASSERT_TRUE(found);
   ASSERT_EQ(found->size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -41,25 +52,95 @@ TEST_F(OpticsCache, GivesBackWhatItGot) {
     EXPECT_EQ((*found)[i].scattering_um2, kResults[i].scattering_um2);
     EXPECT_EQ((*found)[i].moments, kResults[i].moments);
   }
-  EXPECT_FALSE(find_in_cache("another key"));
+  EXPECT_FALSE(find_in_cache(context_, "another key"));
 }
 
 TEST_F(OpticsCache, IgnoresWhatIsDamaged) {
-  keep_in_cache("key", kResults);
+  keep_in_cache(context_, "key", kResults);
   const fs::path file = only_file();
   for (const char* text :
        {"", "key\n0.3 0.1 1 0.7\n", "key\n0.3 0.1 one 0.7\nend\n", "other\n0.3 0.1 1 0.7\nend\n"}) {
     std::ofstream(file) << text;
-    EXPECT_FALSE(find_in_cache("key")) << text;
+    EXPECT_FALSE(find_in_cache(context_, "key")) << text;
   }
-  keep_in_cache("key", kResults);
-  EXPECT_TRUE(find_in_cache("key"));
+  keep_in_cache(context_, "key", kResults);
+  EXPECT_TRUE(find_in_cache(context_, "key"));
+}
+
+// One number changed by hand: the checksum tells.
+TEST_F(OpticsCache, ChangedNumbersAreNotBelieved) {
+  keep_in_cache(context_, "key", kResults);
+  const fs::path file = only_file();
+  const std::string whole = text_of(file);
+  for (const auto& [from, to] : {std::pair{"0.1 1 0.7", "0.05 1 0.7"},  // scattering halved
+                                 {" 1 0.7", " 7 0.7"},                  // moment 0
+                                 {" 1 0.7", " inf 0.7"},
+                                 {" 1 0.7", " nan 0.7"},
+                                 {"0.7", "0.8"},
+                                 {"end\n", "end\n\n"},
+                                 {"2e-12", "3e-12"}}) {
+    std::string changed = whole;
+    changed.replace(changed.rfind(from), std::string(from).size(), to);
+    ASSERT_NE(changed, whole);
+    std::ofstream(file) << changed;
+    EXPECT_FALSE(find_in_cache(context_, "key")) << from << " to " << to;
+  }
+  std::ofstream(file) << whole.substr(0, whole.size() / 2);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  std::ofstream(file) << whole;
+  EXPECT_TRUE(find_in_cache(context_, "key"));
+}
+
+// Numbers that no sphere has, with the checksum they would have.
+TEST_F(OpticsCache, ImpossibleNumbersAreNotBelieved) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const ParticleOptics& impossible :
+       {ParticleOptics{1.0, 1.1, {1.0, 0.5}}, ParticleOptics{-1.0, -1.0, {1.0, 0.5}},
+        ParticleOptics{infinity, 1.0, {1.0, 0.5}}, ParticleOptics{1.0, NAN, {1.0, 0.5}},
+        ParticleOptics{1.0, 0.5, {7.0, 0.5}}, ParticleOptics{1.0, 0.5, {1.0, 1.5}},
+        ParticleOptics{1.0, 0.5, {1.0, infinity}}}) {
+    keep_in_cache(context_, "key", {kResults[0], impossible});
+    EXPECT_FALSE(find_in_cache(context_, "key"));
+  }
+}
+
+// A pipe would keep the reader waiting for ever, a link shows another file: neither is a file of ours,
+// neither is written to.
+TEST_F(OpticsCache, OnlyRegularFilesCount) {
+  keep_in_cache(context_, "key", kResults);
+  const fs::path file = only_file();
+  const fs::path moved = folder_ / "moved";
+  fs::rename(file, moved);
+  fs::create_symlink(moved, file);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  keep_in_cache(context_, "key", {});
+  EXPECT_TRUE(fs::is_symlink(file));
+  fs::remove(file);
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  keep_in_cache(context_, "key", kResults);
+  EXPECT_TRUE(fs::is_fifo(file));
+  fs::remove(file);
+  fs::create_directory(file);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  EXPECT_NO_THROW(keep_in_cache(context_, "key", kResults));
+  fs::remove(file);
+  std::ofstream(file) << "x";
+  fs::resize_file(file, 1'000'000'000);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+}
+
+TEST_F(OpticsCache, WithoutAFolderNothingIsKept) {
+  context_.cache_folder.clear();
+  keep_in_cache(context_, "key", kResults);
+  EXPECT_FALSE(find_in_cache(context_, "key"));
+  EXPECT_FALSE(fs::exists(folder_));
 }
 
 TEST_F(OpticsCache, NeedsNoPlace) {
   std::ofstream(folder_) << "a file where the folder should be";
-  EXPECT_NO_THROW(keep_in_cache("key", kResults));
-  EXPECT_FALSE(find_in_cache("key"));
+  EXPECT_NO_THROW(keep_in_cache(context_, "key", kResults));
+  EXPECT_FALSE(find_in_cache(context_, "key"));
 }
 
 TEST(OpticsKey, NamesEveryNumber) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "angular_sum.hpp"
@@ -11,6 +13,7 @@
 #include "skylut/scattering/aerosol_optics.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
 #include "skylut/scattering/tabulated_phase_function.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -80,8 +83,8 @@ TEST(ParticleOptics, ConvergedOverSizes) {
        1e-4},
       {{lognormal(20, 0.416, 2.03, 40, 1.36, 4e-9)}, 5e-4}};
   for (const auto& [components, tolerance] : mixtures) {
-    const ParticleOptics coarse = particle_optics(components, {550.0}).front();
-    const ParticleOptics fine = particle_optics(components, {550.0}, 8.0).front();
+    const ParticleOptics coarse = particle_optics(test::context, components, {550.0}).front();
+    const ParticleOptics fine = particle_optics(test::context, components, {550.0}, 8.0).front();
     EXPECT_NEAR(coarse.extinction_um2 / fine.extinction_um2, 1.0, tolerance);
     EXPECT_NEAR(coarse.scattering_um2 / coarse.extinction_um2, fine.scattering_um2 / fine.extinction_um2,
                 tolerance);
@@ -94,7 +97,7 @@ TEST(ParticleOptics, ConvergedOverSizes) {
 TEST(ParticleOptics, NarrowDistributionIsOneSphere) {
   AerosolComponent component = lognormal(1.0, 0.3, 1.01, 0.32, 1.5, 0.02);
   component.size.r_min_um = 0.28;
-  const ParticleOptics optics = particle_optics({component}, {500.0}).front();
+  const ParticleOptics optics = particle_optics(test::context, {component}, {500.0}).front();
   const MieSphere sphere(2.0 * kPi * 0.3 / 0.5, {1.5, 0.02});
   // A spread of 1 % in radius: second order, some 1e-3.
   EXPECT_NEAR(optics.extinction_um2 / (kPi * 0.09 * sphere.q_ext()), 1.0, 2e-3);
@@ -105,10 +108,12 @@ TEST(ParticleOptics, NarrowDistributionIsOneSphere) {
 // % of Mie's theory there.
 TEST(ParticleOptics, BetweenWavelengths) {
   for (const char* name : {"rural", "continental-average"}) {
-    const AerosolOptics aerosol = load_aerosol(name);
+    const AerosolOptics aerosol = load_aerosol(test::context, name);
     for (const double nm : {425.0, 575.0, 850.0}) {
       const ParticleOptics there =
-          particle_optics(load_aerosol_description(name).components, {500.0, nm}).back();
+          particle_optics(test::context, load_aerosol_description(test::context, name).components,
+                          {500.0, nm})
+              .back();
       const TabulatedPhaseFunction exact(there.moments);
       const auto mixed = aerosol.phase_function(nm);
       for (double angle_deg = 0.0; angle_deg <= 180.0; angle_deg += 0.5) {
@@ -126,7 +131,7 @@ TEST(TabulatedPhaseFunction, LooksUpTheSeries) {
   const std::vector<AerosolComponent> dust{lognormal(269.5, 0.07, 1.95, 20, 1.53, 0.0055),
                                            lognormal(30.5, 0.39, 2.0, 20, 1.53, 0.0055),
                                            lognormal(0.142, 1.9, 2.15, 60, 1.53, 0.0055)};
-  const ParticleOptics optics = particle_optics(dust, {400.0}).front();
+  const ParticleOptics optics = particle_optics(test::context, dust, {400.0}).front();
   const TabulatedPhaseFunction table(optics.moments);
   const LegendrePhaseFunction series(optics.moments);
   double worst = 0.0;
@@ -154,6 +159,44 @@ TEST(TabulatedPhaseFunction, LooksUpTheSeries) {
   }
   EXPECT_NEAR(energy, 1.0, 1e-4);
   EXPECT_NEAR(forward, table.moment(1), 1e-4);
+}
+
+int threads_of_this_process() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("Threads:")) return std::stoi(line.substr(8));
+  return 0;
+}
+
+// One thread means this one: no worker is started, and the numbers are the same.
+TEST(ParticleOptics, ObeysTheNumberOfThreads) {
+  const std::vector<AerosolComponent> components{lognormal(1.0, 0.1, 1.8, 2.0, 1.5, 0.01)};
+  const std::vector<double> wavelengths_nm{400.0, 500.0, 600.0, 700.0};
+  Context context = test::context;
+  context.threads = 1;
+  const int before = threads_of_this_process();
+  const std::vector<ParticleOptics> alone = particle_optics(context, components, wavelengths_nm);
+  EXPECT_EQ(threads_of_this_process(), before);
+  context.threads = 3;
+  const std::vector<ParticleOptics> together = particle_optics(context, components, wavelengths_nm);
+  EXPECT_GT(threads_of_this_process(), before);
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_EQ(alone[i].moments, together[i].moments);
+}
+
+// Clear spheres much smaller than the wavelength scatter a little more steeply than λ⁻⁴ where n > √2, by the
+// next term of Rayleigh's series. Exponents of an independent Mie sum over 800 radii; between our own
+// wavelengths extinction is interpolated.
+TEST(ParticleOptics, ClearAitkenParticlesAreSteeperThanRayleigh) {
+  AerosolDescription aitken;
+  aitken.name = "aitken";
+  aitken.components.push_back(lognormal(3000.0, 0.02, 1.2, 0.1, 1.53, 0.0));
+  aitken.components[0].size.r_min_um = 0.0005;
+  const AerosolOptics optics = aerosol_optics(test::context, aitken);
+  EXPECT_NO_THROW(optics.validate());
+  EXPECT_NEAR(optics.angstrom_exponent_between(300.0, 350.0), 4.0102, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(350.0, 500.0), 4.0149, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(440.0, 870.0), 4.0103, 2e-3);
+  EXPECT_NEAR(optics.angstrom_exponent_between(500.0, 800.0), 4.0099, 2e-3);
 }
 
 }  // namespace

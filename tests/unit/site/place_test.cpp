@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skylut/core/errors.hpp"
+#include "skylut/site/sun.hpp"
 
 namespace skylut {
 namespace {
@@ -29,6 +30,33 @@ TEST(Place, DecimalAndDmsAreTheSame) {
     EXPECT_EQ(place.height_m, 300.0);
   }
   EXPECT_EQ(parse_place("-33.9", "18.4E", 0.0), (Place{-33.9, 18.4, 0.0}));
+}
+
+// Wikipedia's and GPS receivers' ways to write the same two places; the sun there as astropy has it.
+TEST(Place, BlanksPrimesAndLeadingHemisphere) {
+  const Place paris = parse_place("48°51′24″N", "2°21′3″E", 0.0);
+  for (const auto& [latitude, longitude] : {std::pair{"48° 51′ 24″ N", "2° 21′ 3″ E"},
+                                            {"N 48° 51' 24\"", "E 2° 21' 3\""},
+                                            {"48\u00A0°\u202F51\u2009′ 24 ″ N", "2d 21' 3'' E"},
+                                            {" 48 51 24 N ", "E 2 21 3"},
+                                            {"48:51:24 n", "+ 2:21:3"}})
+    EXPECT_EQ(parse_place(latitude, longitude, 0.0), paris) << latitude << " " << longitude;
+  const Direction sun = sun_direction(paris, parse_time("2024-06-21T09:00Z"));
+  EXPECT_NEAR(sun.zenith_deg, 42.25870, 1e-3);
+  EXPECT_NEAR(sun.azimuth_deg, 111.14814, 1e-3);
+
+  const Place scotland = parse_place("N 59°12'7.7\"", "W 02°15'39.6\"", 0.0);
+  EXPECT_NEAR(scotland.latitude_deg, 59.0 + 12.0 / 60.0 + 7.7 / 3600.0, 1e-12);
+  EXPECT_NEAR(scotland.longitude_deg, -(2.0 + 15.0 / 60.0 + 39.6 / 3600.0), 1e-12);
+  const Direction there = sun_direction(scotland, parse_time("2024-06-21T09:00Z"));
+  EXPECT_NEAR(there.zenith_deg, 48.88438, 1e-3);
+  EXPECT_NEAR(there.azimuth_deg, 115.67470, 1e-3);
+}
+
+// A blank beside a decimal point joins nothing: half a degree or half a minute would be a guess.
+TEST(Place, BlanksThatCouldMeanTwoThings) {
+  for (const char* latitude : {"48 .5", "48. 5", "4 8 5 1", "48 ° 51 ° 3", ""})
+    EXPECT_THROW(parse_place(latitude, "0", 0.0), InputError) << latitude;
 }
 
 TEST(Place, SaysWhatIsWrong) {

@@ -1,13 +1,14 @@
-#include "support/test_context.hpp"
 #include "skylut/sky/simulate_sky.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/atmosphere/solar_spectrum.hpp"
+#include "support/test_atmosphere.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -15,13 +16,19 @@ namespace {
 // Few wavelengths and directions: these tests are about what goes where, not about accuracy.
 SkyScene small_scene() {
   SkyScene scene;
-  scene.profile = load_profile("ussa1976");
+  scene.atmosphere = test::standard_atmosphere();
   scene.altitudes_km = {0.0, 12.0};
   scene.turbidities = {{TurbidityKind::aod500, 0.0}, {TurbidityKind::aod500, 0.3}};
   scene.suns = {{60.0, 90.0}, {60.0, 270.0}, {20.0, 0.0}};
   scene.directions = {{0.0, 0.0}, {50.0, 30.0}, {50.0, 330.0}, {90.0, 84.0}, {90.0, 276.0}};
   scene.wavelengths = WavelengthGrid(400.0, 700.0, 100.0);
   return scene;
+}
+
+AtmosphereOptions without_water() {
+  AtmosphereOptions options;
+  options.water_cm = 0.0;
+  return options;
 }
 
 TransferOptions draft() {
@@ -72,7 +79,7 @@ TEST(SimulateSky, ColourFollowsFromTheRadiances) {
   const SkyMap map = simulate_sky(test::context, small_scene(), draft()).front();
   const std::span<const float> spectrum = map.spectrum(1);
   const std::vector<double> radiance(spectrum.begin(), spectrum.end());
-  const Yxy expected = to_yxy(ColourMatching::load().integrate(map.wavelengths, radiance));
+  const Yxy expected = to_yxy(ColourMatching::load(test::context).integrate(map.wavelengths, radiance));
   EXPECT_NEAR(map.colour[1].Y / expected.Y, 1.0, 1e-12);  // the order of a sum of a few terms
   EXPECT_NEAR(map.colour[1].x, expected.x, 1e-12);
   EXPECT_NEAR(map.colour[1].y, expected.y, 1e-12);
@@ -83,13 +90,17 @@ TEST(SimulateSky, ColourFollowsFromTheRadiances) {
 TEST(SimulateSky, BandsOfLines) {
   SkyScene scene = small_scene();
   scene.wavelengths = WavelengthGrid(690.0, 720.0, 10.0);
-  const std::vector<SkyMap> one = simulate_sky(test::on_threads(1), scene, draft());
-  const std::vector<SkyMap> three = simulate_sky(test::on_threads(3), scene, draft());
+  const TransferOptions options = draft();
+  Context context = test::context;
+  context.threads = 1;
+  const std::vector<SkyMap> one = simulate_sky(context, scene, options);
+  context.threads = 3;
+  const std::vector<SkyMap> three = simulate_sky(context, scene, options);
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].radiance, three[i].radiance);
   scene.turbidities.erase(scene.turbidities.begin());
-  EXPECT_EQ(simulate_sky(test::context, scene, draft())[0].radiance, one[3].radiance);
-  scene.air.water_cm = 0.0;
-  const SkyMap dry = simulate_sky(test::context, scene, draft())[0];
+  EXPECT_EQ(simulate_sky(test::context, scene, options)[0].radiance, one[3].radiance);
+  scene.atmosphere = test::standard_atmosphere(without_water());
+  const SkyMap dry = simulate_sky(test::context, scene, options)[0];
   // 720 nm (fourth band): water takes 12 % from the vertical and more from slant paths.
   EXPECT_LT(one[3].spectrum(1)[3], 0.9 * dry.spectrum(1)[3]);
   EXPECT_GT(one[3].spectrum(1)[3], 0.6 * dry.spectrum(1)[3]);

@@ -80,9 +80,9 @@ TEST(SkyRequestErrors, Levels) {
 
 TEST(SkyRequestErrors, Planets) {
   for (const auto& [radius, text] :
-       {std::pair{499.0, "499"}, {-6371.0, "-6371"}, {kNan, "nan"}, {INFINITY, "inf"}})
+       {std::pair{999.0, "999"}, {-6371.0, "-6371"}, {kNan, "nan"}, {INFINITY, "inf"}})
     expect_refused(spoiled([&](Question& q) { q.shells.planet_radius_km = radius; }), text,
-                   "500 to 1000000000 km");
+                   "1000 to 1000000000 km");
 }
 
 TEST(SkyRequestErrors, Layers) {

@@ -1,0 +1,25 @@
+#include "skylut/profile/profile_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace skylut {
+
+nlohmann::ordered_json profile_json(const Profile& profile) {
+  nlohmann::ordered_json gases = nlohmann::ordered_json::object();
+  for (const GasProfile& gas : profile.gases) gases[gas.name] = gas.density_per_m3;
+  nlohmann::ordered_json json{{"name", profile.name},
+                              {"description", profile.description},
+                              {"source", profile.source},
+                              {"described_top_km", profile.described_top_km},
+                              {"altitude_km", profile.altitude_km},
+                              {"temperature_K", profile.temperature_K},
+                              {"pressure_hPa", profile.pressure_hPa},
+                              {"gas_density_per_m3", std::move(gases)},
+                              {"relative_aerosol_extinction", profile.relative_aerosol_extinction}};
+  if (profile.ground_height_km) json["ground_height_km"] = *profile.ground_height_km;
+  if (!profile.notes.empty()) json["notes"] = profile.notes;
+  return json;
+}
+
+}  // namespace skylut
