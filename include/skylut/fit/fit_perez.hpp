@@ -43,7 +43,7 @@ struct FitOptions {
   double B_upper = -1e-5;    ///< B < 0: finite at the horizon
   double D_lower = -80.0;    ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
   double D_upper = 25.0;     ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
-  int polished_starts = 24;  ///< Levenberg-Marquardt runs per fit, from the best valleys of the search
+  int starts = 24;           ///< Levenberg-Marquardt runs per fit, from the best places of the search
   int max_iterations = 200;  ///< per run
 };
 
@@ -65,7 +65,7 @@ struct FitReport {
 };
 
 /// Fits v(θ, γ) = v_z F(θ, γ)/F(0, θ_s), v_z being fixed, by Levenberg-Marquardt with automatic
-/// derivatives (Ceres), from the best valleys of a search over B and D in which A, C and E are eliminated,
+/// derivatives (Ceres), from the best places of a search over B and D in which A, C and E are eliminated,
 /// and from Preetham's coefficients. [fit.md F2-F6]
 ///
 /// The order of the samples does not matter: mirror-symmetric skies give the same bits.

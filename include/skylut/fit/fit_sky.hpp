@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "skylut/models/sky_model.hpp"
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/fit/fit_perez.hpp"
+#include "skylut/models/sky_model.hpp"
 
 namespace skylut {
 
