@@ -107,9 +107,10 @@ FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, d
       fit_detail::make_fit_problem(samples, sun_zenith_rad, zenith_value, options.residual);
 
   PerezForm form(problem, options);
-  const fit_detail::Minimum best =
+  fit_detail::Minimum best =
       fit_detail::multistart(form.residuals(), form.bounds(), form.starts(), options.max_iterations);
   if (!std::isfinite(best.cost)) throw WorkError("Perez fit: no start led to a finite cost");
+  if (best.termination == Termination::no_convergence) best = form.search_on(best);
   const LinearParameters parameters = form.all_parameters(best.at);
 
   FitReport report;
@@ -118,6 +119,8 @@ FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, d
   report.coefficients = {k[0] + 0.0, k[1], k[2] + 0.0, k[3], k[4] + 0.0};
   report.zenith_value = zenith_value;
   report.cost = cost_of(problem, report.coefficients);
+  if (!std::isfinite(report.cost))
+    throw WorkError("Perez fit: the best formula is 0 at the zenith, and has no finite coefficients");
   report.rmse = std::sqrt(2.0 * report.cost / static_cast<double>(problem.samples));
   report.termination = best.termination;
   report.message = best.message;

@@ -26,15 +26,18 @@ class LocalSearch {
   Minimum run(const Start& start, double tolerance, int max_iterations) {
     for (std::size_t i = 0; i < at_.size(); ++i)
       at_[i] = std::clamp(start[i], bounds_[i].lower, bounds_[i].upper);
+    if (!has_value()) return {};
     const ceres::Solver::Options solver = solver_options(tolerance, max_iterations);
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem_, &summary);
+    int iterations = steps(summary);
     // At a bound Ceres cuts every step short: go on along the bound.
     const std::vector<int> fixed = at_bound();
     if (!fixed.empty()) {
       problem_.SetManifold(at_.data(), new ceres::SubsetManifold(static_cast<int>(at_.size()), fixed));
       ceres::Solve(solver, &problem_, &summary);
       problem_.SetManifold(at_.data(), nullptr);
+      iterations += steps(summary);
     }
     Minimum result;
     if (!summary.IsSolutionUsable()) return result;
@@ -43,7 +46,7 @@ class LocalSearch {
     result.termination =
         summary.termination_type == ceres::CONVERGENCE ? Termination::converged : Termination::no_convergence;
     result.message = summary.message;
-    result.iterations = static_cast<int>(summary.iterations.size()) - 1;
+    result.iterations = iterations;
     return result;
   }
 
@@ -65,6 +68,20 @@ class LocalSearch {
     options.parameter_tolerance = 1e-13;
     options.gradient_tolerance = 1e-15;
     return options;
+  }
+
+  // Where not, Ceres would say so on standard error.
+  bool has_value() {
+    ceres::Problem::EvaluateOptions options;
+    options.apply_loss_function = false;
+    double cost = 0.0;
+    std::vector<double> gradient;
+    return problem_.Evaluate(options, &cost, nullptr, &gradient, nullptr) && std::isfinite(cost);
+  }
+
+  // The first entry is the start.
+  static int steps(const ceres::Solver::Summary& summary) {
+    return std::max(0, static_cast<int>(summary.iterations.size()) - 1);
   }
 
   std::vector<int> at_bound() const {

@@ -2,15 +2,25 @@
 
 #include <ceres/autodiff_cost_function.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "newton_search.hpp"
 #include "skylut/models/preetham_coefficients.hpp"
 #include "start_search.hpp"
 
 namespace skylut::fit_detail {
 
 namespace {
+
+bool finite(double value) { return std::isfinite(value); }
+
+template <class T, int N>
+bool finite(const ceres::Jet<T, N>& value) {
+  return std::isfinite(value.a) && value.v.allFinite();
+}
 
 // The residuals in the linear form, h (1 + aU) (1 + cW + eK) - t. [fit.md F3]
 struct Residuals {
@@ -40,12 +50,13 @@ struct Residuals {
 struct ProjectedResiduals {
   const FitProblem* problem;
 
-  // Parameters a, B, D.
+  // Parameters a, B, D. False where the formula overflows.
   template <class T>
   bool operator()(const T* parameter, T* residual) const {
     T c, e;
     eliminate(parameter, residual, c, e);
-    return true;
+    return std::all_of(residual, residual + problem->observations.size(),
+                       [](const T& r) { return finite(r); });
   }
 
   template <class T>
@@ -94,6 +105,18 @@ struct ProjectedResiduals {
   }
 };
 
+// The same in aB, B, D: for small B, aU is aB (1/cosθ - 1), and the valley along which a and B trade, a
+// hyperbola in them, is straight.
+struct StraightResiduals {
+  ProjectedResiduals projected;
+
+  template <class T>
+  bool operator()(const T* parameter, T* residual) const {
+    const T at[] = {T(parameter[0] / parameter[1]), parameter[1], parameter[2]};
+    return projected(at, residual);
+  }
+};
+
 constexpr double kPreethamStart_T = 3.0;  // the middle of his range
 
 Start searched(const LinearParameters& all) { return {all[0], all[1], all[3]}; }
@@ -105,6 +128,15 @@ PerezForm::PerezForm(const FitProblem& problem, const FitOptions& options)
       options_(options),
       residuals_(std::make_unique<ceres::AutoDiffCostFunction<ProjectedResiduals, ceres::DYNAMIC, 3>>(
           new ProjectedResiduals{&problem}, static_cast<int>(problem.observations.size()))) {}
+
+Minimum PerezForm::search_on(Minimum from) const {
+  const ceres::AutoDiffCostFunction<StraightResiduals, ceres::DYNAMIC, 3> residuals(
+      new StraightResiduals{{&problem_}}, static_cast<int>(problem_.observations.size()));
+  from.at[0] *= from.at[1];
+  Minimum end = newton_search(residuals, bounds(), std::move(from), options_.max_iterations);
+  end.at[0] /= end.at[1];
+  return end;
+}
 
 std::vector<ParameterBounds> PerezForm::bounds() const {
   return {{}, {options_.B_lower, options_.B_upper}, {options_.D_lower, options_.D_upper}};

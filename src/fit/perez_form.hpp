@@ -14,7 +14,7 @@
 namespace skylut::fit_detail {
 
 /// The Perez formula as the search sees it: residuals in a, B, D, with c and e eliminated. [fit.md F3-F5]
-/// Another formula would be another class like this one beside fit_perez.cpp's like.
+/// Another formula is another class like this.
 class PerezForm {
  public:
   /// Both arguments must outlive the form.
@@ -26,6 +26,8 @@ class PerezForm {
   std::vector<ParameterBounds> bounds() const;
   /// The best places of a search over B and D, and Preetham's coefficients of Y, x and y.
   std::vector<Start> starts() const;
+  /// Goes on by Newton's method from where the search reached its limit of iterations.
+  Minimum search_on(Minimum from) const;
   /// a, B, c, D, e for searched a, B, D.
   LinearParameters all_parameters(std::span<const double> searched) const;
   /// Derivatives of the residuals by a, B, c, D, e: observations × 5.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "skylut/colour/yxy.hpp"
@@ -48,6 +49,9 @@ SkyFit fit_sky(std::span<const Direction> views, std::span<const Yxy> sky, const
 /// The same for directions given by their angles alone.
 SkyFit fit_sky(std::span<const SkyDirection> views, std::span<const Yxy> sky, double sun_zenith_rad,
                const SkyFitOptions& options = {});
+
+/// The channels whose fit did not converge, "x, y"; empty if all did.
+std::string unconverged_channels(const SkyFit& fit);
 
 /// Three Perez formulas and a zenith colour as a sky for the one sun they were fitted for.
 /// @return Y in the unit of `zenith`
