@@ -4,22 +4,23 @@
 
 #include "skylut/sky/simulate_sky.hpp"
 #include "skylut/table/fit_table.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
 
 void default_table(benchmark::State& state) {
-  SkyScene scene{load_profile("ussa1976"),
+  SkyScene scene{load_profile(test::context, "ussa1976"),
                  {},
                  {0.0, 6.0, 12.0, 20.0, 30.0},
                  {{TurbidityKind::aod500, 0.0}, {TurbidityKind::aod500, 0.5}, {TurbidityKind::aod500, 1.0}},
                  {{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}},
                  directions_utm271()};
-  TransferOptions options;
-  options.threads = static_cast<int>(state.range(0));
+  Context context = test::context;
+  context.threads = static_cast<int>(state.range(0));
   for (auto _ : state) {
-    const std::vector<SkyMap> maps = simulate_sky(scene, options);
-    benchmark::DoNotOptimize(fit_table(maps, {}, options.threads));
+    const std::vector<SkyMap> maps = simulate_sky(context, scene, {});
+    benchmark::DoNotOptimize(fit_table(context, maps, {}));
   }
 }
 BENCHMARK(default_table)

@@ -15,6 +15,7 @@
 #include "spherical/discretisation.hpp"
 #include "spherical/ray_geometry.hpp"
 #include "spherical/sweep_tables.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -22,7 +23,8 @@ namespace {
 using namespace transfer;
 
 const Atmosphere& default_air() {
-  static const Atmosphere air(load_profile("ussa1976"), AtmosphereOptions{});
+  static const Atmosphere air(test::context, load_profile(test::context, context, "ussa1976"),
+                              AtmosphereOptions{});
   return air;
 }
 

@@ -27,7 +27,9 @@ function(skylut_test name)
   set(target ${folder}_${name})
   add_executable(${target} ${name}.cpp)
   target_link_libraries(${target} PRIVATE ${ARGN} skylut_compile_options GTest::gtest_main)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${target} PRIVATE
+    SKYLUT_TEST_PROFILES="${PROJECT_SOURCE_DIR}/profiles"
     SKYLUT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     SKYLUT_SHARED_REFERENCE="${PROJECT_SOURCE_DIR}/../shared/reference")
   add_test(NAME unit.${folder}.${name} COMMAND ${target})

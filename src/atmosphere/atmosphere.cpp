@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "skylut/atmosphere/gas_cross_sections.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/quadrature.hpp"
-#include "skylut/atmosphere/gas_cross_sections.hpp"
 #include "skylut/scattering/rayleigh.hpp"
 
 namespace skylut {
@@ -53,7 +53,8 @@ void check_band(double band_nm) {
 
 }  // namespace
 
-Atmosphere::Atmosphere(Profile profile, AtmosphereOptions options) : profile_(std::move(profile)), options_(std::move(options)) {
+Atmosphere::Atmosphere(const Context& context, Profile profile, AtmosphereOptions options)
+    : profile_(std::move(profile)), options_(std::move(options)) {
   check_options(options_);
   scale_columns();
   carbon_dioxide_fraction_ =
@@ -61,11 +62,11 @@ Atmosphere::Atmosphere(Profile profile, AtmosphereOptions options) : profile_(st
 
   shells_.planet_radius_km = options_.planet_radius_km;
   shells_.levels_km = layer_levels_km(profile_.altitude_km.back());
-  absorbers_.push_back({{"ozone", "ozone", load_ozone_cross_section()}, {}});
-  absorbers_.push_back({{"no2", "nitrogen_dioxide", load_nitrogen_dioxide_cross_section()}, {}});
-  absorbers_.push_back({{"o2_o2", "oxygen", load_oxygen_pair_cross_section(), true}, {}});
-  line_absorbers_.push_back({"oxygen", "oxygen", load_oxygen_lines(), {}});
-  line_absorbers_.push_back({"water_vapour", "water_vapour", load_water_lines(), {}});
+  absorbers_.push_back({{"ozone", "ozone", load_ozone_cross_section(context)}, {}});
+  absorbers_.push_back({{"no2", "nitrogen_dioxide", load_nitrogen_dioxide_cross_section(context)}, {}});
+  absorbers_.push_back({{"o2_o2", "oxygen", load_oxygen_pair_cross_section(context), true}, {}});
+  line_absorbers_.push_back({"oxygen", "oxygen", load_oxygen_lines(context), {}});
+  line_absorbers_.push_back({"water_vapour", "water_vapour", load_water_lines(context), {}});
   for (std::size_t layer = 0; layer + 1 < shells_.levels_km.size(); ++layer) {
     const double lower_km = shells_.levels_km[layer];
     const double upper_km = shells_.levels_km[layer + 1];
@@ -95,8 +96,8 @@ double Atmosphere::air_between_per_m2(double lower_km, double upper_km) const {
          stretch;
 }
 
-std::vector<Atmosphere::ColumnNode> Atmosphere::gas_nodes(const std::string& gas_name, bool pairs, double lower_km,
-                                            double upper_km) const {
+std::vector<Atmosphere::ColumnNode> Atmosphere::gas_nodes(const std::string& gas_name, bool pairs,
+                                                          double lower_km, double upper_km) const {
   static const Quadrature rule = gauss_legendre(6, 0.0, 1.0);
   const GasProfile* gas = profile_.gas(gas_name);
   if (gas == nullptr) return {};
@@ -121,7 +122,7 @@ std::vector<Atmosphere::ColumnNode> Atmosphere::gas_nodes(const std::string& gas
 }
 
 double Atmosphere::absorption_depth(const CrossSection& cross_section, const std::vector<ColumnNode>& nodes,
-                             double wavelength_nm) {
+                                    double wavelength_nm) {
   double depth = 0.0;
   for (const ColumnNode& node : nodes)
     depth += node.column_per_m2 * cross_section.at_m2(wavelength_nm, node.temperature_K);
@@ -137,7 +138,7 @@ double Atmosphere::scaled_amount_per_m2(const LineBand& band, const std::vector<
 }
 
 Constituent Atmosphere::line_constituent(const LineLayers& absorber, double wavelength_nm, double band_nm,
-                                  bool few_terms) const {
+                                         bool few_terms) const {
   const LineBand band = absorber.lines.band(wavelength_nm, band_nm);
   std::vector<double> amounts_per_m2;
   double whole_per_m2 = 0.0;
@@ -154,7 +155,7 @@ Constituent Atmosphere::line_constituent(const LineLayers& absorber, double wave
 }
 
 Atmosphere::AerosolDepth Atmosphere::aerosol_between(double lower_km, double upper_km, double wavelength_nm,
-                                       double aod500) const {
+                                                     double aod500) const {
   if (aod500 <= 0.0) return {0.0, 0.0};
   const AerosolOptics& aerosol = options_.aerosol;
   const double top_km = shells_.levels_km.back();
@@ -202,8 +203,9 @@ std::vector<Constituent> Atmosphere::smooth_constituents(double wavelength_nm, d
   return result;
 }
 
-OpticalColumn Atmosphere::scattering_column(double wavelength_nm, const std::vector<Constituent>& constituents,
-                                     double aod500) const {
+OpticalColumn Atmosphere::scattering_column(double wavelength_nm,
+                                            const std::vector<Constituent>& constituents,
+                                            double aod500) const {
   OpticalColumn column;
   column.ground_albedo = options_.ground_albedo.at(wavelength_nm);
   column.extinction_depth.assign(air_per_m2_.size(), 0.0);
@@ -244,7 +246,7 @@ OpticalColumn Atmosphere::column(double wavelength_nm, double aod500) const {
 }
 
 std::vector<Constituent> Atmosphere::all_constituents(double wavelength_nm, double band_nm, double aod500,
-                                               bool few_terms) const {
+                                                      bool few_terms) const {
   check(wavelength_nm, aod500);
   check_band(band_nm);
   std::vector<Constituent> constituents = smooth_constituents(wavelength_nm, aod500);
@@ -276,8 +278,8 @@ std::vector<ColumnTerm> Atmosphere::band_columns(double wavelength_nm, double ba
   return columns;
 }
 
-std::vector<ConstituentDepth> Atmosphere::optical_depths(double wavelength_nm, double aod500, double altitude_km,
-                                                  double band_nm) const {
+std::vector<ConstituentDepth> Atmosphere::optical_depths(double wavelength_nm, double aod500,
+                                                         double altitude_km, double band_nm) const {
   check(wavelength_nm, aod500);
   check_band(band_nm);
   const double top_km = shells_.levels_km.back();

@@ -6,9 +6,10 @@ namespace skylut {
 
 namespace {
 
-CrossSection load_quadratic(const char* path, double reference_K, double lowest_K, double highest_K) {
+CrossSection load_quadratic(const Context& context, const char* path, double reference_K, double lowest_K,
+                            double highest_K) {
   std::vector<CrossSection::Row> rows;
-  for (const std::vector<double>& row : read_spectral_table(path, 4))
+  for (const std::vector<double>& row : read_spectral_table(context, path, 4))
     rows.push_back({row[0], row[1], row[2], row[3]});
   return {std::move(rows), reference_K, lowest_K, highest_K};
 }
@@ -16,18 +17,19 @@ CrossSection load_quadratic(const char* path, double reference_K, double lowest_
 }  // namespace
 
 // Temperatures as the files' headers state.
-CrossSection load_ozone_cross_section() {
-  return load_quadratic("spectra/ozone_cross_section.csv", 228.0, 203.0, 293.0);
+CrossSection load_ozone_cross_section(const Context& context) {
+  return load_quadratic(context, "spectra/ozone_cross_section.csv", 228.0, 203.0, 293.0);
 }
 
-CrossSection load_nitrogen_dioxide_cross_section() {
-  return load_quadratic("spectra/nitrogen_dioxide_cross_section.csv", 243.0, 223.0, 293.0);
+CrossSection load_nitrogen_dioxide_cross_section(const Context& context) {
+  return load_quadratic(context, "spectra/nitrogen_dioxide_cross_section.csv", 243.0, 223.0, 293.0);
 }
 
-CrossSection load_oxygen_pair_cross_section() {
+CrossSection load_oxygen_pair_cross_section(const Context& context) {
   constexpr double kMeasured_K = 296.0;
   std::vector<CrossSection::Row> rows;
-  for (const std::vector<double>& row : read_spectral_table("spectra/oxygen_pair_cross_section.csv", 2))
+  for (const std::vector<double>& row :
+       read_spectral_table(context, "spectra/oxygen_pair_cross_section.csv", 2))
     rows.push_back({row[0], row[1], 0.0, 0.0});
   return {std::move(rows), kMeasured_K, kMeasured_K, kMeasured_K};
 }

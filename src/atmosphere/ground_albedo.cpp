@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "skylut/core/data_directory.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -16,23 +16,23 @@ constexpr const char* kFolder = "grounds";
 
 }  // namespace
 
-std::vector<std::string> GroundAlbedo::names() {
+std::vector<std::string> GroundAlbedo::names(const Context& context) {
   std::vector<std::string> names;
   std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(profile_directory() / kFolder, none))
+  for (const auto& entry : std::filesystem::directory_iterator(context.data_folder / kFolder, none))
     if (entry.path().extension() == ".csv") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
 }
 
-GroundAlbedo GroundAlbedo::load(const std::string& name_or_file) {
+GroundAlbedo GroundAlbedo::load(const Context& context, const std::string& name_or_file) {
   std::string path = name_or_file;
   if (!names_a_csv_file(name_or_file)) {
-    const std::vector<std::string> known = names();
+    const std::vector<std::string> known = names(context);
     if (std::find(known.begin(), known.end(), name_or_file) == known.end())
       throw InputError("ground albedo '{}': must be a number within 0-1, one of {}, or a .csv file",
                        name_or_file, fmt::join(known, ", "));
-    path = data_file(std::string(kFolder) + "/" + name_or_file + ".csv").string();
+    path = context.data_file(std::string(kFolder) + "/" + name_or_file + ".csv").string();
   }
   return {name_or_file, read_spectral_curve(path, "albedo", 0.0, 1.0)};
 }

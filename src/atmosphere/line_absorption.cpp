@@ -10,10 +10,10 @@ namespace skylut {
 
 namespace {
 
-LineAbsorption load(const char* file) {
+LineAbsorption load(const Context& context, const char* file) {
   constexpr std::size_t kColumns = 3 + LineAbsorption::kCoefficients;
   std::vector<LineAbsorption::Row> rows;
-  for (const std::vector<double>& cells : read_spectral_table(file, kColumns)) {
+  for (const std::vector<double>& cells : read_spectral_table(context, file, kColumns)) {
     LineAbsorption::Row row{cells[0], cells[1], cells[2], {}};
     std::copy(cells.begin() + 3, cells.end(), row.coefficient_m2.begin());
     rows.push_back(row);
@@ -64,8 +64,8 @@ LineBand LineAbsorption::band(double wavelength_nm, double band_nm) const {
   return band;
 }
 
-LineAbsorption load_water_lines() { return load("spectra/water_lines.csv"); }
+LineAbsorption load_water_lines(const Context& context) { return load(context, "spectra/water_lines.csv"); }
 
-LineAbsorption load_oxygen_lines() { return load("spectra/oxygen_lines.csv"); }
+LineAbsorption load_oxygen_lines(const Context& context) { return load(context, "spectra/oxygen_lines.csv"); }
 
 }  // namespace skylut

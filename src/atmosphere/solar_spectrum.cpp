@@ -29,14 +29,14 @@ std::vector<std::string> SolarSpectrum::names() {
   return names;
 }
 
-SolarSpectrum SolarSpectrum::load(const std::string& name_or_file) {
+SolarSpectrum SolarSpectrum::load(const Context& context, const std::string& name_or_file) {
   if (names_a_csv_file(name_or_file))
     return SolarSpectrum(read_spectral_curve(name_or_file, "irradiance_W_m2_nm", 0.0, kMost_W_m2_nm));
   for (const auto& [name, file] : kSpectra) {
     if (name_or_file != name) continue;
     std::vector<double> centre_nm;
     std::vector<double> mean;
-    for (const std::vector<double>& row : read_spectral_table(file, 2)) {
+    for (const std::vector<double>& row : read_spectral_table(context, file, 2)) {
       centre_nm.push_back(row[0]);
       mean.push_back(row[1]);
     }

@@ -4,13 +4,14 @@
 #include <fstream>
 #include <string_view>
 
-#include "skylut/core/data_directory.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
 
-std::vector<std::vector<double>> read_spectral_table(const std::string& relative_path, std::size_t columns) {
-  const std::string path = data_file(relative_path).string();
+std::vector<std::vector<double>> read_spectral_table(const Context& context, const std::string& relative_path,
+                                                     std::size_t columns) {
+  const std::string path = context.data_file(relative_path).string();
   std::ifstream file(path);
   std::vector<std::vector<double>> rows;
   bool named = false;

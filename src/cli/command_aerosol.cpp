@@ -9,14 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "skylut/report/aerosol_report.hpp"
 #include "commands.hpp"
 #include "number_options.hpp"
+#include "program_context.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/text.hpp"
+#include "skylut/report/aerosol_report.hpp"
 #include "skylut/scattering/aerosol_optics.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
-#include "skylut/core/text.hpp"
 
 namespace skylut::cli {
 
@@ -98,8 +99,9 @@ void add_mie(CLI::App& aerosol) {
 }
 
 void list_aerosols() {
-  for (const std::string& name : aerosol_names())
-    fmt::print("{:<26} {}\n", name, load_aerosol_description(name).description);
+  const Context context = program_context();
+  for (const std::string& name : aerosol_names(context))
+    fmt::print("{:<26} {}\n", name, load_aerosol_description(context, name).description);
 }
 
 struct ShowOptions {
@@ -109,8 +111,10 @@ struct ShowOptions {
 };
 
 void show_aerosol(const ShowOptions& options) {
-  const AerosolDescription description = load_aerosol_description(options.name, options.humidity_percent);
-  const AerosolOptics optics = aerosol_optics(description);
+  const Context context = program_context();
+  const AerosolDescription description =
+      load_aerosol_description(context, options.name, options.humidity_percent);
+  const AerosolOptics optics = aerosol_optics(context, description);
   if (options.json)
     fmt::print("{}\n", aerosol_json(description, optics).dump(2));
   else

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "program_context.hpp"
 #include "skylut/compare/compare_report.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
@@ -32,7 +33,7 @@ void run(const CompareOptions& options) {
   const std::vector<TableEntry> entries = read_table_csv(csv);
   const CompareReport report =
       options.against == "utm2005"
-          ? compare_with_utm2005(entries)
+          ? compare_with_utm2005(program_context(), entries)
           : compare_with_preetham1999(entries,
                                       TableTurbidity(csv.parent_path() / "table.json", options.kind));
   if (!options.out.empty()) write_text_atomically(options.out, report.csv());

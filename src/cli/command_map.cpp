@@ -11,6 +11,7 @@
 #include "directions_option.hpp"
 #include "number_options.hpp"
 #include "output_check.hpp"
+#include "program_context.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
@@ -58,49 +59,51 @@ FileKind kind_of(const MapOptions& options) {
   return csv ? FileKind::csv : FileKind::exr;
 }
 
-SkyScene scene_of(const MapOptions& options) {
+SkyScene scene_of(const Context& context, const MapOptions& options) {
   if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
     throw InputError("--turbidity-kind: needs --turbidity");
-  SkyScene scene = options.scene.scene();
+  SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.turbidity_kind(), options.turbidity}};
   options.sun.put_into(scene, options.scene, kLowestSun_deg);
   return scene;
 }
 
-SkyMap simulate(const SkyScene& scene, TransferOptions transfer) {
+SkyMap simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
   Progress progress("solving the radiative transfer:");
   transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sky(scene, transfer).front();
+  return simulate_sky(context, scene, transfer).front();
 }
 
-void print_facts(const SkyMap& map, const SkyScene& scene) {
+void print_facts(const Context& context, const SkyMap& map, const SkyScene& scene) {
   const auto darker = [](const Yxy& a, const Yxy& b) { return a.Y < b.Y; };
   const auto [darkest, brightest] = std::minmax_element(map.colour.begin(), map.colour.end(), darker);
   fmt::print("altitude {} km, sun {:.6g}:{:.6g} deg, {} directions, {} wavelengths\n", map.altitude_km,
              map.sun.zenith_deg, map.sun.azimuth_deg, map.directions.size(), map.wavelengths.size());
-  fmt::print("{}\n", turbidity_text(map.turbidity, scene));
+  fmt::print("{}\n", turbidity_text(context, map.turbidity, scene));
   fmt::print("luminance {:.5g} to {:.5g} cd/m2\n", darkest->Y, brightest->Y);
 }
 
-void write_csv(const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
+void write_csv(const Context& context, const MapOptions& options, SkyScene scene,
+               const TransferOptions& transfer) {
   scene.directions = directions_of(options.directions);
   require_writable_file("-o", options.out);
-  const SkyMap map = simulate(scene, transfer);
+  const SkyMap map = simulate(context, scene, transfer);
   write_text_atomically(options.out, sky_csv(map));
-  print_facts(map, scene);
+  print_facts(context, map, scene);
   fmt::print("wrote {}\n", options.out.string());
 }
 
-void write_exr(const MapOptions& options, SkyScene scene, const TransferOptions& transfer) {
+void write_exr(const Context& context, const MapOptions& options, SkyScene scene,
+               const TransferOptions& transfer) {
   const std::unique_ptr<Projection> projection = make_projection(options.projection, options.size);
   const std::vector<SkyChannels> channels = parse_sky_channels(options.channels);
   for (const SkyChannels kind : channels) require_writable_file("-o", sky_exr_path(options.out, kind));
   scene.directions = projection->directions();
-  const SkyMap map = simulate(scene, transfer);
+  const SkyMap map = simulate(context, scene, transfer);
   for (const SkyChannels kind : channels)
     write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind);
-  print_facts(map, scene);
+  print_facts(context, map, scene);
   if (const std::size_t outside = count_outside_rec709(map); outside > 0)
     fmt::print("{} pixels have a colour outside Rec. 709: a negative R, G or B, kept as it is\n", outside);
   for (const SkyChannels kind : channels) fmt::print("wrote {}\n", sky_exr_path(options.out, kind).string());
@@ -108,10 +111,12 @@ void write_exr(const MapOptions& options, SkyScene scene, const TransferOptions&
 
 void run(const MapOptions& options) {
   const FileKind kind = kind_of(options);
-  const SkyScene scene = scene_of(options);
+  Context context = program_context();
+  context.threads = options.scene.threads();
+  const SkyScene scene = scene_of(context, options);
   const TransferOptions transfer = options.scene.transfer();
-  if (kind == FileKind::csv) return write_csv(options, scene, transfer);
-  write_exr(options, scene, transfer);
+  if (kind == FileKind::csv) return write_csv(context, options, scene, transfer);
+  write_exr(context, options, scene, transfer);
 }
 
 void add_picture_options(CLI::App& command, MapOptions& options) {

@@ -8,11 +8,12 @@
 
 #include "command_profile_case.hpp"
 #include "commands.hpp"
-#include "skylut/report/profile_report.hpp"
+#include "program_context.hpp"
 #include "scene_options.hpp"
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/turbidity.hpp"
+#include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
+#include "skylut/report/profile_report.hpp"
 #include "skylut/site/place.hpp"
 
 namespace skylut::cli {
@@ -36,14 +37,14 @@ struct ShowOptions {
   std::optional<double> pressure_hpa;
 };
 
-AtmosphereOptions air_options(const ShowOptions& options) {
+AtmosphereOptions air_options(const Context& context, const ShowOptions& options) {
   AtmosphereOptions air;
-  air.ground_albedo = parse_albedo(options.albedo);
+  air.ground_albedo = parse_albedo(context, options.albedo);
   air.ozone_du = options.ozone_du;
   air.water_cm = options.water_cm;
   air.no2_du = options.no2_du;
   air.surface_pressure_hPa = options.pressure_hpa;
-  air.aerosol = load_aerosol(options.aerosol, options.humidity_percent);
+  air.aerosol = load_aerosol(context, options.aerosol, options.humidity_percent);
   if (!options.latitude.empty()) {
     const Place place = parse_place(options.latitude, options.longitude, options.height_m);
     air.gravity_m_s2 = normal_gravity_m_s2(place);
@@ -53,13 +54,15 @@ AtmosphereOptions air_options(const ShowOptions& options) {
 }
 
 void list_profiles() {
-  for (const std::string& name : profile_names())
-    fmt::print("{:<20} {}\n", name, load_profile(name).description);
+  const Context context = program_context();
+  for (const std::string& name : profile_names(context))
+    fmt::print("{:<20} {}\n", name, load_profile(context, name).description);
 }
 
 void show_profile(const ShowOptions& options) {
+  const Context context = program_context();
   const TurbidityKind kind = parse_turbidity_kind(options.turbidity_kind);
-  const Atmosphere air(load_profile(options.name), air_options(options));
+  const Atmosphere air(context, load_profile(context, options.name), air_options(context, options));
   const double aod500 = to_aod500({kind, options.turbidity}, air);
   if (options.json)
     fmt::print("{}\n", profile_json(air, aod500).dump(2));

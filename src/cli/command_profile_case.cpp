@@ -9,14 +9,15 @@
 #include <string>
 
 #include "number_options.hpp"
-#include "skylut/cases/optical_case.hpp"
 #include "output_check.hpp"
+#include "program_context.hpp"
 #include "scene_options.hpp"
+#include "skylut/atmosphere/turbidity.hpp"
+#include "skylut/cases/optical_case.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/atmosphere/turbidity.hpp"
-#include "skylut/profile/profile.hpp"
 #include "skylut/core/text.hpp"
+#include "skylut/profile/profile.hpp"
 
 namespace skylut::cli {
 
@@ -62,7 +63,8 @@ void run(const CaseOptions& options) {
   OpticalCaseRequest request = options.request;
   request.views = parse_views(options.views);
   if (options.term_option->count() > 0) request.absorption_term = options.absorption_term;
-  const Atmosphere air(load_profile(options.name), options.scene.air());
+  const Context context = program_context();
+  const Atmosphere air(context, load_profile(context, options.name), options.scene.air(context));
   request.aod500 = to_aod500({options.scene.turbidity_kind(), options.turbidity}, air);
   if (!options.out.empty()) require_writable_file("-o", options.out);
   nlohmann::ordered_json document = optical_case(air, request);

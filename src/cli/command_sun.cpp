@@ -8,12 +8,13 @@
 #include "commands.hpp"
 #include "number_options.hpp"
 #include "output_check.hpp"
+#include "program_context.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
-#include "skylut/models/closed_form_sun.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/export/sun_file.hpp"
+#include "skylut/models/closed_form_sun.hpp"
 #include "sun_option.hpp"
 
 namespace skylut::cli {
@@ -54,10 +55,10 @@ std::optional<ClosedFormModel> model_of(const CommandOptions& options) {
   return model;
 }
 
-SkyScene scene_of(const CommandOptions& options) {
+SkyScene scene_of(const Context& context, const CommandOptions& options) {
   if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
     throw InputError("--turbidity-kind: needs --turbidity");
-  SkyScene scene = options.scene.scene();
+  SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.turbidity_kind(), options.turbidity}};
   // Without diffuse light the sun may be anywhere: its position is wanted at night, too.
@@ -74,23 +75,24 @@ std::string command_line(const CommandOptions& options) {
   return text + " " + options.scene.command_line();
 }
 
-SunIrradiance simulate(const SkyScene& scene, const CommandOptions& options, TransferOptions transfer) {
+SunIrradiance simulate(const Context& context, const SkyScene& scene, const CommandOptions& options,
+                       TransferOptions transfer) {
   Progress progress("solving the radiative transfer:");
   transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sun(scene, {!options.no_diffuse, options.circumsolar_deg}, transfer);
+  return simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg}, transfer);
 }
 
 void print_line(const char* what, const std::vector<double>& irradiance, const SunIrradiance& sun) {
   if (irradiance.empty()) return;
   fmt::print("  {:<20} {:10.3f} W/m2 {:11.0f} lux\n", what, broadband_W_m2(irradiance, sun.wavelengths),
-             illuminance_lux(irradiance, sun.wavelengths));
+             illuminance_lux(irradiance, sun.luminous_weight));
 }
 
-void print_facts(const SunIrradiance& sun, const SkyScene& scene) {
+void print_facts(const Context& context, const SunIrradiance& sun, const SkyScene& scene) {
   const Direction& direction = sun.sun;
   fmt::print("sun {:.4f} deg from the zenith, azimuth {:.4f} deg, {:.5f} au away, seen from {} km\n",
              direction.zenith_deg, direction.azimuth_deg, scene.sun_distance_au, scene.altitudes_km[0]);
-  fmt::print("{}\n", turbidity_text(scene.turbidities[0], scene));
+  fmt::print("{}\n", turbidity_text(context, scene.turbidities[0], scene));
   if (!sun.beam_arrives) fmt::print("the ground hides the sun: no direct beam\n");
   const double half_nm = 0.5 * sun.wavelengths.step_nm();
   fmt::print("sums over {}-{} nm\n", sun.wavelengths.first_nm() - half_nm,
@@ -123,18 +125,20 @@ void print_table(const SunIrradiance& sun) {
 
 void run(const CommandOptions& options) {
   const FileKind kind = kind_of(options.out);
+  Context context = program_context();
+  context.threads = options.scene.threads();
   const std::optional<ClosedFormModel> model = model_of(options);
-  const SkyScene scene = scene_of(options);
+  const SkyScene scene = scene_of(context, options);
   const TransferOptions transfer = options.scene.transfer();
   if (kind != FileKind::none) require_writable_file("-o", options.out);
   const SunIrradiance sun =
-      model ? simulate_sun_closed_form(scene, *model) : simulate(scene, options, transfer);
+      model ? simulate_sun_closed_form(context, scene, *model) : simulate(context, scene, options, transfer);
   if (kind == FileKind::csv) write_text_atomically(options.out, sun_csv(sun));
   if (kind == FileKind::json)
     write_text_atomically(options.out,
                           sun_json(sun, {command_line(options), options.model, options.altitude_km,
                                          scene.turbidities[0], scene.sun_distance_au, scene.solar}));
-  print_facts(sun, scene);
+  print_facts(context, sun, scene);
   if (kind == FileKind::none)
     print_table(sun);
   else

@@ -10,15 +10,16 @@
 #include "commands.hpp"
 #include "number_options.hpp"
 #include "output_check.hpp"
+#include "program_context.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/export/sky_csv.hpp"
+#include "skylut/report/table_summary.hpp"
 #include "skylut/table/fit_table.hpp"
 #include "skylut/table/table_csv.hpp"
 #include "skylut/table/table_json.hpp"
-#include "skylut/report/table_summary.hpp"
 
 namespace skylut::cli {
 
@@ -52,12 +53,12 @@ void require_different(const char* option, const std::vector<T>& values, const s
       throw InputError("{} {}: number {} is given twice, must be different", option, text, i + 1);
 }
 
-SkyScene scene_of(const TableOptions& options) {
+SkyScene scene_of(const Context& context, const TableOptions& options) {
   require_different("--altitudes-km", options.altitudes_km,
                     fmt::format("{}", fmt::join(options.altitudes_km, ",")));
   require_different("--turbidities", options.turbidities,
                     fmt::format("{}", fmt::join(options.turbidities, ",")));
-  SkyScene scene = options.scene.scene();
+  SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = options.altitudes_km;
   for (const double value : options.turbidities)
     scene.turbidities.push_back({options.scene.turbidity_kind(), value});
@@ -88,36 +89,39 @@ void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps) {
     write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i]));
 }
 
-std::vector<SkyMap> simulate(const SkyScene& scene, TransferOptions transfer) {
+std::vector<SkyMap> simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
   Progress progress("solving the radiative transfer:");
   transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sky(scene, transfer);
+  return simulate_sky(context, scene, transfer);
 }
 
-SkyTable fit(const std::vector<SkyMap>& maps, const SkyFitOptions& options, int threads) {
+SkyTable fit(Context context, const std::vector<SkyMap>& maps, const SkyFitOptions& options) {
   Progress progress("fitting:");
-  return fit_table(maps, options, threads,
-                   [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
+  return fit_table(context, maps, options);
 }
 
 void run(const TableOptions& options) {
-  const SkyScene scene = scene_of(options);
+  Context context = program_context();
+  context.threads = options.scene.threads();
+  const SkyScene scene = scene_of(context, options);
   const TransferOptions transfer = options.scene.transfer();
   SkyFitOptions fit_options;
   fit_options.weights = parse_weights(options.weights);
   require_writable_outputs(options);
 
-  const std::vector<SkyMap> maps = simulate(scene, transfer);
-  const SkyTable table = fit(maps, fit_options, options.scene.threads());
+  const std::vector<SkyMap> maps = simulate(context, scene, transfer);
+  const SkyTable table = fit(context, maps, fit_options);
 
   create_folder(options.out);
   if (options.save_maps) write_maps(options.out / "maps", maps);
   const TableOrigin origin{command_line(options), options.scene.quality(), options.weights, "utm271",
                            options.scene.place()};
-  write_text_atomically(options.out / "table.json", table_json(table, scene, origin));
+  write_text_atomically(options.out / "table.json", table_json(context, table, scene, origin));
   write_table_csv(options.out / "table.csv", table.entries);
 
-  for (const Turbidity& turbidity : scene.turbidities) fmt::print("{}\n", turbidity_text(turbidity, scene));
+  for (const Turbidity& turbidity : scene.turbidities)
+    fmt::print("{}\n", turbidity_text(context, turbidity, scene));
   fmt::print("\n{}", table_summary(table, std::string(turbidity_kind_name(options.scene.turbidity_kind()))));
   fmt::print("wrote {} and table.json{}\n", (options.out / "table.csv").string(),
              options.save_maps ? fmt::format(", {} maps in maps", maps.size()) : "");

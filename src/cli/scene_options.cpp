@@ -6,8 +6,8 @@
 
 #include "number_options.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/site/sun.hpp"
 #include "skylut/core/text.hpp"
+#include "skylut/site/sun.hpp"
 
 namespace skylut::cli {
 
@@ -134,20 +134,20 @@ std::optional<Place> SceneOptions::place() const {
 
 TurbidityKind SceneOptions::turbidity_kind() const { return parse_turbidity_kind(turbidity_kind_); }
 
-SkyScene SceneOptions::scene() const {
+SkyScene SceneOptions::scene(const Context& context) const {
   SkyScene scene;
   scene.wavelengths = WavelengthGrid::parse(wavelengths_);
-  scene.air = air();
-  scene.profile = load_profile(profile_);
+  scene.air = air(context);
+  scene.profile = load_profile(context, profile_);
   scene.solar = solar_;
   if (has_date()) scene.sun_distance_au = earth_sun_distance_au(parse_date(date_));
   return scene;
 }
 
-AtmosphereOptions SceneOptions::air() const {
+AtmosphereOptions SceneOptions::air(const Context& context) const {
   AtmosphereOptions air;
-  air.ground_albedo = parse_albedo(albedo_);
-  air.aerosol = load_aerosol(aerosol_, humidity_percent_);
+  air.ground_albedo = parse_albedo(context, albedo_);
+  air.aerosol = load_aerosol(context, aerosol_, humidity_percent_);
   air.ozone_du = ozone_du_;
   air.water_cm = water_cm_;
   air.no2_du = no2_du_;
@@ -187,11 +187,11 @@ std::string SceneOptions::air_command_line() const {
   return text;
 }
 
-GroundAlbedo parse_albedo(const std::string& text) {
+GroundAlbedo parse_albedo(const Context& context, const std::string& text) {
   const bool is_number = !text.empty() && text.find_first_not_of("+-.eE0123456789") == std::string::npos;
   if (is_number) return parse_number("--albedo", text, {0.0, 1.0, ""});
   try {
-    return GroundAlbedo::load(text);
+    return GroundAlbedo::load(context, text);
   } catch (const InputError& error) {
     throw InputError("--albedo: {}", error.what());
   }
@@ -211,8 +211,8 @@ std::vector<Direction> parse_suns(const std::string& text) {
   return suns;
 }
 
-std::string turbidity_text(const Turbidity& turbidity, const SkyScene& scene) {
-  const Atmosphere air(scene.profile, scene.air);
+std::string turbidity_text(const Context& context, const Turbidity& turbidity, const SkyScene& scene) {
+  const Atmosphere air(context, scene.profile, scene.air);
   const double aod500 = to_aod500(turbidity, air);
   std::string text = fmt::format("{} {}", turbidity_kind_name(turbidity.kind), turbidity.value);
   for (const TurbidityKind kind : turbidity_kinds())

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/csv.hpp"
-#include "skylut/core/data_directory.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -37,8 +37,8 @@ std::vector<Yxy> convex_hull(std::vector<Yxy> points) {
 
 }  // namespace
 
-ColourMatching ColourMatching::load() {
-  const CsvTable table = CsvTable::read(data_file("spectra/cie1931_2deg.csv"));
+ColourMatching ColourMatching::load(const Context& context) {
+  const CsvTable table = CsvTable::read(context.data_file("spectra/cie1931_2deg.csv"));
   const std::size_t wavelength = table.column("wavelength_nm");
   const std::size_t x_bar = table.column("x_bar");
   const std::size_t y_bar = table.column("y_bar");

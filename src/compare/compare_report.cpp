@@ -7,11 +7,11 @@
 
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/compare/metrics.hpp"
-#include "skylut/models/preetham1999.hpp"
-#include "skylut/models/utm2005.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/fit/fit_sky.hpp"
+#include "skylut/models/preetham1999.hpp"
+#include "skylut/models/utm2005.hpp"
 
 namespace skylut {
 
@@ -241,9 +241,9 @@ CompareReport compare_with_preetham1999(std::span<const TableEntry> entries,
   return report;
 }
 
-CompareReport compare_with_utm2005(std::span<const TableEntry> entries) {
-  const std::vector<Utm2005Row> rows = load_utm2005();
-  const std::vector<Utm2005Verdict> verdicts = judge_utm2005(rows, ColourMatching::load());
+CompareReport compare_with_utm2005(const Context& context, std::span<const TableEntry> entries) {
+  const std::vector<Utm2005Row> rows = load_utm2005(context);
+  const std::vector<Utm2005Verdict> verdicts = judge_utm2005(rows, ColourMatching::load(context));
   CompareReport report;
   report.name = "utm2005";
   const auto count = [&](bool Utm2005Verdict::*failure) {

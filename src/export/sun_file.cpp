@@ -70,7 +70,7 @@ std::string sun_json(const SunIrradiance& sun, const SunFileOrigin& origin) {
   for (const auto& [name, values] : irradiance_columns(sun)) {
     const std::string quantity = name.substr(0, name.find("_w_m2_nm"));
     sums[quantity] = {{"w_m2", broadband_W_m2(values, sun.wavelengths)},
-                      {"lux", illuminance_lux(values, sun.wavelengths)}};
+                      {"lux", illuminance_lux(values, sun.luminous_weight)}};
   }
   json["wavelength_nm"] = sun.wavelengths.values_nm();
   for (const auto& [name, values] : columns_of(sun)) json[name] = values;

@@ -3,12 +3,12 @@
 #include <array>
 #include <cmath>
 
-#include "skylut/core/constants.hpp"
-#include "skylut/core/csv.hpp"
-#include "skylut/core/data_directory.hpp"
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/atmosphere/spectral_curve.hpp"
+#include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/csv.hpp"
+#include "skylut/core/errors.hpp"
 
 namespace skylut {
 
@@ -26,21 +26,6 @@ double kasten1966(double zenith_deg) {
 double gueymard1994(double zenith_deg, double a, double b, double c) {
   return 1.0 / (std::cos(zenith_deg * kRadiansPerDegree) + a * zenith_deg * std::pow(b - zenith_deg, -c));
 }
-
-struct Coefficients {
-  SpectralCurve ozone;
-  SpectralCurve mixed_gases;
-  SpectralCurve water_vapour;
-
-  static const Coefficients& load() {
-    static const Coefficients coefficients = [] {
-      const std::string path = data_file("spectra/closed_form_absorption.csv").string();
-      const auto curve = [&](const char* column) { return read_spectral_curve(path, column, 0.0, 1e3); };
-      return Coefficients{curve("ozone_per_atm_cm"), curve("mixed_gases"), curve("water_vapour_per_cm")};
-    }();
-    return coefficients;
-  }
-};
 
 // Beyond the last wavelength of the source, 993.5 nm, its value.
 double value_of(const SpectralCurve& curve, double wavelength_nm) {
@@ -74,6 +59,12 @@ ClosedFormAir closed_form_air(const Atmosphere& air, double aod500, double altit
 
 }  // namespace
 
+ClosedFormAbsorption ClosedFormAbsorption::load(const Context& context) {
+  const std::string path = context.data_file("spectra/closed_form_absorption.csv").string();
+  const auto curve = [&](const char* column) { return read_spectral_curve(path, column, 0.0, 1e3); };
+  return {curve("ozone_per_atm_cm"), curve("mixed_gases"), curve("water_vapour_per_cm")};
+}
+
 ClosedFormModel parse_closed_form_model(const std::string& text) {
   if (text == "iqbal") return ClosedFormModel::iqbal;
   if (text == "smarts-like") return ClosedFormModel::smarts_like;
@@ -96,41 +87,43 @@ OpticalMasses optical_masses(ClosedFormModel model, double zenith_deg, double pr
   return {air, water, ozone, air, water};
 }
 
-std::vector<double> closed_form_transmittances(const ClosedFormAir& air, const OpticalMasses& masses,
+std::vector<double> closed_form_transmittances(const ClosedFormAbsorption& absorption,
+                                               const ClosedFormAir& air, const OpticalMasses& masses,
                                                double wavelength_nm) {
-  const Coefficients& coefficients = Coefficients::load();
   const double wavelength_um = 1e-3 * wavelength_nm;
-  const double gases = value_of(coefficients.mixed_gases, wavelength_nm) * masses.mixed_gases;
+  const double gases = value_of(absorption.mixed_gases, wavelength_nm) * masses.mixed_gases;
   const double water =
-      value_of(coefficients.water_vapour, wavelength_nm) * air.water_cm * masses.water_vapour;
+      value_of(absorption.water_vapour_per_cm, wavelength_nm) * air.water_cm * masses.water_vapour;
   return {std::exp(-0.008735 * std::pow(wavelength_um, -4.08) * masses.rayleigh),
-          std::exp(-value_of(coefficients.ozone, wavelength_nm) * air.ozone_atm_cm * masses.ozone),
+          std::exp(-value_of(absorption.ozone_per_atm_cm, wavelength_nm) * air.ozone_atm_cm * masses.ozone),
           std::exp(-1.41 * gases / std::pow(1.0 + 118.3 * gases, 0.45)),
           std::exp(-0.2385 * water / std::pow(1.0 + 20.07 * water, 0.45)),
           std::exp(-air.angstrom_beta * std::pow(wavelength_um, -air.angstrom_exponent) * masses.aerosol)};
 }
 
-SunIrradiance simulate_sun_closed_form(const SkyScene& scene, ClosedFormModel model) {
+SunIrradiance simulate_sun_closed_form(const Context& context, const SkyScene& scene, ClosedFormModel model) {
   if (scene.altitudes_km.size() != 1 || scene.turbidities.size() != 1 || scene.suns.size() != 1)
     throw InputError("sun's irradiance of {} altitudes, {} turbidities, {} suns: must be one of each",
                      scene.altitudes_km.size(), scene.turbidities.size(), scene.suns.size());
-  const Atmosphere air(scene.profile, scene.air);
+  const Atmosphere air(context, scene.profile, scene.air);
   const double altitude_km = scene.altitudes_km[0];
   const ClosedFormAir columns = closed_form_air(air, to_aod500(scene.turbidities[0], air), altitude_km);
   const OpticalMasses masses =
       optical_masses(model, scene.suns[0].zenith_deg, air_state(air.profile(), altitude_km).pressure_hPa);
-  const SolarSpectrum spectrum = SolarSpectrum::load(scene.solar);
+  const SolarSpectrum spectrum = SolarSpectrum::load(context, scene.solar);
   SunIrradiance result;
   result.wavelengths = scene.wavelengths;
   result.sun = scene.suns[0];
   result.beam_arrives = true;
+  result.luminous_weight = luminous_weights(context, scene.wavelengths);
+  const ClosedFormAbsorption absorption = ClosedFormAbsorption::load(context);
   for (const char* name : kNames) result.transmittance.push_back({name, {}});
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     double irradiance = spectrum.irradiance_W_m2_nm(scene.wavelengths[i], scene.wavelengths.step_nm()) /
                         (scene.sun_distance_au * scene.sun_distance_au);
     result.extraterrestrial.push_back(irradiance);
     const std::vector<double> transmittances =
-        closed_form_transmittances(columns, masses, scene.wavelengths[i]);
+        closed_form_transmittances(absorption, columns, masses, scene.wavelengths[i]);
     for (std::size_t k = 0; k < transmittances.size(); ++k) {
       result.transmittance[k].band_mean.push_back(transmittances[k]);
       irradiance *= transmittances[k];

@@ -5,7 +5,6 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/fit/fit_sky.hpp"
 
 namespace skylut {
 

@@ -1,7 +1,7 @@
 #include "skylut/models/utm2005.hpp"
 
+#include "skylut/core/context.hpp"
 #include "skylut/core/csv.hpp"
-#include "skylut/core/data_directory.hpp"
 
 namespace skylut {
 
@@ -19,8 +19,8 @@ std::string Utm2005Verdict::text() const {
   return text.empty() ? "plausible" : text;
 }
 
-std::vector<Utm2005Row> load_utm2005() {
-  const CsvTable csv = CsvTable::read(data_file("reference/utm2005_appendix_a.csv"));
+std::vector<Utm2005Row> load_utm2005(const Context& context) {
+  const CsvTable csv = CsvTable::read(context.data_file("reference/utm2005_appendix_a.csv"));
   std::vector<Utm2005Row> rows;
   for (std::size_t i = 0; i < csv.rows(); ++i) {
     const auto value = [&](const char* name) { return csv.number(i, csv.column(name)); };

@@ -9,7 +9,7 @@
 #include "level_quantities.hpp"
 #include "profile_file.hpp"
 #include "skylut/core/constants.hpp"
-#include "skylut/core/data_directory.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
 
@@ -24,7 +24,8 @@ constexpr const char* kStandardName = "ussa1976";
 constexpr double kOxygenFraction = 0.209476;
 constexpr double kCarbonDioxideFraction = 360e-6;
 
-void set_temperature_and_pressure(const ProfileFile& file, const std::string& path, Profile& profile) {
+void set_temperature_and_pressure(const Context& context, const ProfileFile& file, const std::string& path,
+                                  Profile& profile) {
   profile.temperature_K = file.temperature_K;
   profile.pressure_hPa = file.pressure_hPa;
   if (file.standard_layers)
@@ -34,12 +35,12 @@ void set_temperature_and_pressure(const ProfileFile& file, const std::string& pa
       profile.pressure_hPa.push_back(state.pressure_hPa);
     }
   if (!file.temperature_and_pressure_of.empty()) {
-    const std::vector<std::string> names = profile_names();
+    const std::vector<std::string> names = profile_names(context);
     if (std::find(names.begin(), names.end(), file.temperature_and_pressure_of) == names.end() ||
         file.temperature_and_pressure_of == file.name)
       throw InputError("{}: temperature_and_pressure_of = '{}': must be another of {}", path,
                        file.temperature_and_pressure_of, fmt::join(names, ", "));
-    const Profile other = load_profile(file.temperature_and_pressure_of);
+    const Profile other = load_profile(context, file.temperature_and_pressure_of);
     if (file.altitude_km.back() > other.altitude_km.back())
       throw InputError("{}: column.altitude.values reach {} km: must end with {} at {} km or below", path,
                        file.altitude_km.back(), other.name, other.altitude_km.back());
@@ -122,24 +123,24 @@ void scale_totals(const TotalColumns& total, const std::string& path, Profile& p
   scale("water_vapour_cm", total.water_vapour_cm, "water_vapour", water_molecules_per_m2_cm());
 }
 
-std::string file_of(const std::string& name_or_path) {
+std::string file_of(const Context& context, const std::string& name_or_path) {
   const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
   if (is_path) {
     if (!std::filesystem::is_regular_file(name_or_path) && !std::filesystem::is_fifo(name_or_path))
       throw InputError("profile '{}': no such file", name_or_path);
     return name_or_path;
   }
-  const std::vector<std::string> names = profile_names();
+  const std::vector<std::string> names = profile_names(context);
   if (std::find(names.begin(), names.end(), name_or_path) == names.end())
     throw InputError("profile '{}': unknown name; expected {}, or a .toml file", name_or_path,
                      fmt::join(names, ", "));
-  return data_file(name_or_path + ".toml").string();
+  return context.data_file(name_or_path + ".toml").string();
 }
 
 }  // namespace
 
-Profile load_profile(const std::string& name_or_path) {
-  const std::string path = file_of(name_or_path);
+Profile load_profile(const Context& context, const std::string& name_or_path) {
+  const std::string path = file_of(context, name_or_path);
   const ProfileFile file = read_profile_file(path);
   Profile profile;
   profile.name = file.name;
@@ -149,10 +150,11 @@ Profile load_profile(const std::string& name_or_path) {
   profile.described_top_km = file.altitude_km.back();
   profile.columns = file.columns;
   profile.relative_aerosol_extinction = file.relative_aerosol_extinction;
-  set_temperature_and_pressure(file, path, profile);
+  set_temperature_and_pressure(context, file, path, profile);
   set_gases(file, profile);
   if (file.report_2005) add_report_gases(*file.report_2005, profile);
-  if (profile.altitude_km.back() < kAtmosphereTop_km) continue_to_top(profile, load_profile(kStandardName));
+  if (profile.altitude_km.back() < kAtmosphereTop_km)
+    continue_to_top(profile, load_profile(context, kStandardName));
   if (file.report_2005) {
     profile.quantities = report_quantities(profile, *file.report_2005);
     profile.quantities_printed = true;
@@ -169,9 +171,9 @@ Profile load_profile(const std::string& name_or_path) {
   return profile;
 }
 
-std::vector<std::string> profile_names() {
+std::vector<std::string> profile_names(const Context& context) {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(profile_directory()))
+  for (const auto& entry : std::filesystem::directory_iterator(context.data_folder))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;

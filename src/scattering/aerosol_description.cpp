@@ -7,10 +7,10 @@
 #include <filesystem>
 
 #include "aerosol_component.hpp"
-#include "skylut/core/constants.hpp"
-#include "skylut/core/data_directory.hpp"
-#include "skylut/core/errors.hpp"
 #include "core/toml_reader.hpp"
+#include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/errors.hpp"
 
 namespace skylut {
 
@@ -22,31 +22,31 @@ bool is_path(const std::string& text) {
   return text.find('/') != std::string::npos || text.ends_with(".toml");
 }
 
-std::vector<std::string> names_in(const std::string& folder) {
+std::vector<std::string> names_in(const Context& context, const std::string& folder) {
   std::vector<std::string> names;
-  if (!std::filesystem::is_directory(profile_directory() / folder))
-    throw WorkError("{}: data folder is missing", (profile_directory() / folder).string());
-  for (const auto& entry : std::filesystem::directory_iterator(profile_directory() / folder))
+  if (!std::filesystem::is_directory(context.data_folder / folder))
+    throw WorkError("{}: data folder is missing", (context.data_folder / folder).string());
+  for (const auto& entry : std::filesystem::directory_iterator(context.data_folder / folder))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
 }
 
-std::string file_of(const std::string& name_or_path) {
+std::string file_of(const Context& context, const std::string& name_or_path) {
   if (is_path(name_or_path)) {
     if (!std::filesystem::is_regular_file(name_or_path) && !std::filesystem::is_fifo(name_or_path))
       throw InputError("aerosol '{}': no such file", name_or_path);
     return name_or_path;
   }
-  const std::vector<std::string> names = aerosol_names();
+  const std::vector<std::string> names = aerosol_names(context);
   if (std::find(names.begin(), names.end(), name_or_path) == names.end())
     throw InputError("aerosol '{}': unknown name; expected {}, or a .toml file", name_or_path,
                      fmt::join(names, ", "));
-  return data_file(fmt::format("{}/{}.toml", kFolder, name_or_path)).string();
+  return context.data_file(fmt::format("{}/{}.toml", kFolder, name_or_path)).string();
 }
 
 // A component is written out, or names one that comes with skylut, or a file beside this one.
-ReadComponent read_listed_component(const TomlReader& reader, const std::string& file,
+ReadComponent read_listed_component(const Context& context, const TomlReader& reader, const std::string& file,
                                     std::optional<double> humidity_percent) {
   if (!reader.has("particles")) return read_component(reader, {"number_per_cm3"}, humidity_percent);
   reader.allow_only({"particles", "number_per_cm3"});
@@ -59,22 +59,23 @@ ReadComponent read_listed_component(const TomlReader& reader, const std::string&
     path = beside.string();
   } else {
     const std::string folder = fmt::format("{}/components", kFolder);
-    const std::vector<std::string> names = names_in(folder);
+    const std::vector<std::string> names = names_in(context, folder);
     if (std::find(names.begin(), names.end(), name) == names.end())
       reader.refuse("particles",
                     fmt::format("'{}': unknown; expected {}, or a .toml file", name, fmt::join(names, ", ")));
-    path = data_file(fmt::format("{}/{}.toml", folder, name)).string();
+    path = context.data_file(fmt::format("{}/{}.toml", folder, name)).string();
   }
   const toml::table table = TomlReader::parse(path);
   return read_component(TomlReader(table, path, ""), {}, humidity_percent);
 }
 
-std::vector<AerosolComponent> read_components(const TomlReader& reader, const std::string& file,
-                                              std::optional<double> humidity_percent, bool& takes_up_water) {
+std::vector<AerosolComponent> read_components(const Context& context, const TomlReader& reader,
+                                              const std::string& file, std::optional<double> humidity_percent,
+                                              bool& takes_up_water) {
   std::vector<AerosolComponent> components;
   double particles = 0.0;
   for (const TomlReader& listed : reader.tables("component")) {
-    ReadComponent read = read_listed_component(listed, file, humidity_percent);
+    ReadComponent read = read_listed_component(context, listed, file, humidity_percent);
     takes_up_water = takes_up_water || read.takes_up_water;
     read.component.number_per_cm3 = listed.number("number_per_cm3");
     if (!(read.component.number_per_cm3 >= 0.0))
@@ -131,7 +132,7 @@ void read_shape(const TomlReader& reader, AerosolDescription& aerosol) {
   if (reader.has("mixed_layer_km")) shape.mixed_layer_km = reader.number("mixed_layer_km");
 }
 
-void read_stratosphere(const TomlReader& reader, AerosolDescription& aerosol) {
+void read_stratosphere(const Context& context, const TomlReader& reader, AerosolDescription& aerosol) {
   reader.allow_only({"aod500", "centre_km", "width_km", "aerosol"});
   AerosolShape& shape = aerosol.shape;
   if (reader.has("aod500")) shape.stratospheric_aod500 = reader.number("aod500");
@@ -139,7 +140,7 @@ void read_stratosphere(const TomlReader& reader, AerosolDescription& aerosol) {
   if (reader.has("width_km")) shape.stratospheric_width_km = reader.number("width_km");
   if (!reader.has("aerosol")) return;
   aerosol.stratosphere = reader.text("aerosol");
-  const std::vector<std::string> names = aerosol_names();
+  const std::vector<std::string> names = aerosol_names(context);
   if (aerosol.stratosphere == aerosol.name)
     aerosol.stratosphere.clear();
   else if (std::find(names.begin(), names.end(), aerosol.stratosphere) == names.end())
@@ -159,9 +160,9 @@ double SizeDistribution::per_log_radius(double radius_um) const {
   return std::exp(-0.5 * distance * distance) / (std::sqrt(2.0 * kPi) * width);
 }
 
-AerosolDescription load_aerosol_description(const std::string& name_or_path,
+AerosolDescription load_aerosol_description(const Context& context, const std::string& name_or_path,
                                             std::optional<double> humidity_percent) {
-  const std::string path = file_of(name_or_path);
+  const std::string path = file_of(context, name_or_path);
   const toml::table table = TomlReader::parse(path);
   const TomlReader reader(table, path, "");
   reader.allow_only(
@@ -178,7 +179,7 @@ AerosolDescription load_aerosol_description(const std::string& name_or_path,
                   "one of [[component]] (particles) and [optics] must be given");
   bool takes_up_water = false;
   if (reader.has("component"))
-    aerosol.components = read_components(reader, path, aerosol.humidity_percent, takes_up_water);
+    aerosol.components = read_components(context, reader, path, aerosol.humidity_percent, takes_up_water);
   else
     aerosol.optics = read_optics(reader.table("optics"));
   if (humidity_percent && !takes_up_water)
@@ -187,7 +188,7 @@ AerosolDescription load_aerosol_description(const std::string& name_or_path,
   if (!takes_up_water) aerosol.humidity_percent.reset();
 
   if (reader.has("shape")) read_shape(reader.table("shape"), aerosol);
-  if (reader.has("stratosphere")) read_stratosphere(reader.table("stratosphere"), aerosol);
+  if (reader.has("stratosphere")) read_stratosphere(context, reader.table("stratosphere"), aerosol);
   try {
     aerosol.shape.validate();
   } catch (const InputError& error) {
@@ -196,6 +197,6 @@ AerosolDescription load_aerosol_description(const std::string& name_or_path,
   return aerosol;
 }
 
-std::vector<std::string> aerosol_names() { return names_in(kFolder); }
+std::vector<std::string> aerosol_names(const Context& context) { return names_in(context, kFolder); }
 
 }  // namespace skylut

@@ -55,12 +55,13 @@ void set_given(const GivenOptics& given, AerosolOptics& aerosol) {
   aerosol.asymmetry = given.asymmetry;
 }
 
-void set_particles(const std::vector<AerosolComponent>& components, AerosolOptics& aerosol) {
+void set_particles(const Context& context, const std::vector<AerosolComponent>& components,
+                   AerosolOptics& aerosol) {
   const std::string key = optics_key(components, kWavelengths_nm);
-  std::optional<std::vector<ParticleOptics>> results = find_in_cache(key);
+  std::optional<std::vector<ParticleOptics>> results = find_in_cache(context, key);
   if (!results || results->size() != kWavelengths_nm.size()) {
-    results = particle_optics(components, kWavelengths_nm);
-    keep_in_cache(key, *results);
+    results = particle_optics(context, components, kWavelengths_nm);
+    keep_in_cache(context, key, *results);
   }
   const auto reference = std::find(kWavelengths_nm.begin(), kWavelengths_nm.end(), kReferenceWavelength_nm);
   const double extinction =
@@ -156,22 +157,24 @@ double AerosolOptics::aod500_of_depth(double at_nm, double depth_there) const {
   return knee + (depth_there - knee * layer) / relative_depth(at_nm);
 }
 
-AerosolOptics aerosol_optics(const AerosolDescription& description) {
+AerosolOptics aerosol_optics(const Context& context, const AerosolDescription& description) {
   AerosolOptics aerosol;
   aerosol.name = description.name;
   aerosol.shape = description.shape;
   if (description.optics)
     set_given(*description.optics, aerosol);
   else
-    set_particles(description.components, aerosol);
+    set_particles(context, description.components, aerosol);
   if (!description.stratosphere.empty())
-    aerosol.stratosphere = std::make_shared<const AerosolOptics>(load_aerosol(description.stratosphere));
+    aerosol.stratosphere =
+        std::make_shared<const AerosolOptics>(load_aerosol(context, description.stratosphere));
   aerosol.validate();
   return aerosol;
 }
 
-AerosolOptics load_aerosol(const std::string& name_or_path, std::optional<double> humidity_percent) {
-  return aerosol_optics(load_aerosol_description(name_or_path, humidity_percent));
+AerosolOptics load_aerosol(const Context& context, const std::string& name_or_path,
+                           std::optional<double> humidity_percent) {
+  return aerosol_optics(context, load_aerosol_description(context, name_or_path, humidity_percent));
 }
 
 }  // namespace skylut

@@ -5,13 +5,13 @@
 
 #include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
 
 #include "skylut/core/atomic_file.hpp"
+#include "skylut/core/context.hpp"
 
 namespace skylut {
 
@@ -22,19 +22,11 @@ namespace {
 // Counts up whenever particle_optics() gives other numbers for the same request.
 constexpr int kAlgorithm = 1;
 
-fs::path cache_folder() {
-  if (const char* chosen = std::getenv("XDG_CACHE_HOME"); chosen != nullptr && *chosen == '/')
-    return fs::path(chosen) / "skylut";
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
-    return fs::path(home) / ".cache/skylut";
-  return {};
-}
-
 // FNV-1a, 64 bit. The file holds the whole key, so that a coincidence of names is harmless.
-fs::path file_for(const std::string& key) {
+fs::path file_for(const Context& context, const std::string& key) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char character : key) hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3;
-  return cache_folder() / fmt::format("aerosol-{:016x}.txt", hash);
+  return context.cache_folder / fmt::format("aerosol-{:016x}.txt", hash);
 }
 
 bool read_numbers(std::string_view line, std::vector<double>& numbers) {
@@ -66,9 +58,9 @@ std::string optics_key(const std::vector<AerosolComponent>& components,
   return key;
 }
 
-std::optional<std::vector<ParticleOptics>> find_in_cache(const std::string& key) {
-  if (cache_folder().empty()) return std::nullopt;
-  std::ifstream file(file_for(key));
+std::optional<std::vector<ParticleOptics>> find_in_cache(const Context& context, const std::string& key) {
+  if (context.cache_folder.empty()) return std::nullopt;
+  std::ifstream file(file_for(context, key));
   std::string line;
   if (!std::getline(file, line) || line != key) return std::nullopt;
   std::vector<ParticleOptics> results;
@@ -86,17 +78,18 @@ std::optional<std::vector<ParticleOptics>> find_in_cache(const std::string& key)
   return results;
 }
 
-void keep_in_cache(const std::string& key, const std::vector<ParticleOptics>& results) {
-  if (cache_folder().empty()) return;
+void keep_in_cache(const Context& context, const std::string& key,
+                   const std::vector<ParticleOptics>& results) {
+  if (context.cache_folder.empty()) return;
   std::string text = key + "\n";
   for (const ParticleOptics& result : results)
     text += fmt::format("{} {} {}\n", result.extinction_um2, result.scattering_um2,
                         fmt::join(result.moments, " "));
   text += "end\n";
   std::error_code ignored;
-  fs::create_directories(cache_folder(), ignored);
+  fs::create_directories(context.cache_folder, ignored);
   try {
-    write_text_atomically(file_for(key), text);
+    write_text_atomically(file_for(context, key), text);
   } catch (const std::exception&) {
     // No place to keep it: the next run computes it again.
     return;

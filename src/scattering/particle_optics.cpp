@@ -7,6 +7,7 @@
 
 #include "angular_sum.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/parallel.hpp"
 #include "skylut/core/quadrature.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
@@ -116,7 +117,8 @@ void drop_tail(std::vector<double>& moments) {
 
 }  // namespace
 
-std::vector<ParticleOptics> particle_optics(const std::vector<AerosolComponent>& components,
+std::vector<ParticleOptics> particle_optics(const Context& context,
+                                            const std::vector<AerosolComponent>& components,
                                             const std::vector<double>& wavelength_nm, double fineness) {
   std::vector<std::vector<Node>> nodes;
   AngularSum::Rules rules;
@@ -127,7 +129,7 @@ std::vector<ParticleOptics> particle_optics(const std::vector<AerosolComponent>&
       AngularSum::prepare(rules, AngularSum::class_of(MieSphere::terms(per_um * node.radius_um)));
   }
   std::vector<ParticleOptics> results(wavelength_nm.size());
-  parallel_for(wavelength_nm.size(), 0, [&](std::size_t w) {
+  parallel_for(wavelength_nm.size(), context.threads, [&](std::size_t w) {
     const double per_um = 2.0 * kPi / (1e-3 * wavelength_nm[w]);
     ParticleOptics& result = results[w];
     AngularSum sum;

@@ -6,6 +6,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// What a mixture of spheres does to light of one wavelength.
 struct ParticleOptics {
   double extinction_um2 = 0.0;  ///< cross-section of all particles in the volume that holds their numbers
@@ -19,7 +21,8 @@ struct ParticleOptics {
 /// @param components     at least one; externally mixed
 /// @param wavelength_nm  each > 0
 /// @param fineness       number of radii, relative to the default
-std::vector<ParticleOptics> particle_optics(const std::vector<AerosolComponent>& components,
+std::vector<ParticleOptics> particle_optics(const Context& context,
+                                            const std::vector<AerosolComponent>& components,
                                             const std::vector<double>& wavelength_nm, double fineness = 1.0);
 
 }  // namespace skylut

@@ -1,9 +1,10 @@
 #include "skylut/sky/simulate_sky.hpp"
 
+#include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/colour/cie1931.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
-#include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/sky/view_set.hpp"
 
 namespace skylut {
@@ -54,8 +55,8 @@ Lanes lanes_of(const Atmosphere& air, const SkyScene& scene) {
 }
 
 // W m⁻² nm⁻¹ on a plane normal to the beam at the top of the atmosphere, per wavelength.
-std::vector<double> solar_irradiance(const SkyScene& scene) {
-  const SolarSpectrum sun = SolarSpectrum::load(scene.solar);
+std::vector<double> solar_irradiance(const Context& context, const SkyScene& scene) {
+  const SolarSpectrum sun = SolarSpectrum::load(context, scene.solar);
   std::vector<double> irradiance;
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
     irradiance.push_back(sun.irradiance_W_m2_nm(scene.wavelengths[i], scene.wavelengths.step_nm()) /
@@ -80,28 +81,31 @@ void add_colours(SkyMap& map, const std::vector<Xyz>& weights) {
 
 }  // namespace
 
-std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& options) {
+std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
+                                 const TransferOptions& options) {
   check(scene);
 
   // 1. The atmosphere becomes optical depths: columns for every turbidity and wavelength, more than one
   // where lines absorb.
-  const Atmosphere air(scene.profile, scene.air);
+  const Atmosphere air(context, scene.profile, scene.air);
   const Lanes lanes = lanes_of(air, scene);
 
-  const std::vector<double> irradiance = solar_irradiance(scene);  // refuses what it cannot do early
+  const std::vector<double> irradiance = solar_irradiance(context, scene);  // refuses what it cannot do early
 
   // 2. Radiative transfer, once for everything: sr⁻¹ per unit solar irradiance.
   const ViewSet views(scene.directions, scene.suns);
   const SkyRequest request{scene.altitudes_km, views.unique_sun_zeniths_deg(), views.unique_views()};
-  const SkyRadiance sky = solve_sky_radiance(air.shells(), lanes.columns, request, options);
+  TransferOptions transfer = options;
+  transfer.threads = context.threads;
+  const SkyRadiance sky = solve_sky_radiance(air.shells(), lanes.columns, request, transfer);
 
   // 3. The sun's spectrum makes it radiance, the eye's makes it colour.
-  const std::vector<Xyz> weights = ColourMatching::load().weights(scene.wavelengths);
+  const std::vector<Xyz> weights = ColourMatching::load(context).weights(scene.wavelengths);
   const std::size_t loads = scene.turbidities.size();
   const std::size_t suns = scene.suns.size();
   const std::size_t wavelengths = scene.wavelengths.size();
   std::vector<SkyMap> maps(scene.altitudes_km.size() * loads * suns);
-  parallel_for(maps.size(), options.threads, [&](std::size_t index) {
+  parallel_for(maps.size(), context.threads, [&](std::size_t index) {
     const std::size_t sun = index % suns;
     const std::size_t load = index / suns % loads;
     const std::size_t observer = index / (suns * loads);

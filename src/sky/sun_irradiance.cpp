@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include "sky_quadrature.hpp"
-#include "skylut/colour/cie1931.hpp"
-#include "skylut/core/constants.hpp"
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/solar_spectrum.hpp"
+#include "skylut/colour/cie1931.hpp"
+#include "skylut/core/check.hpp"
+#include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/errors.hpp"
 #include "skylut/transfer/direct_beam.hpp"
 
 namespace skylut {
@@ -105,22 +107,25 @@ std::vector<double> SunIrradiance::global_horizontal() const {
   return global;
 }
 
-SunIrradiance simulate_sun(const SkyScene& scene, const SunIrradianceOptions& options,
+SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer) {
   check(scene, options);
-  const Atmosphere air(scene.profile, scene.air);
+  const Atmosphere air(context, scene.profile, scene.air);
   const double aod500 = to_aod500(scene.turbidities[0], air);
-  const SolarSpectrum spectrum = SolarSpectrum::load(scene.solar);
+  const SolarSpectrum spectrum = SolarSpectrum::load(context, scene.solar);
   SunIrradiance result;
   result.wavelengths = scene.wavelengths;
   result.sun = scene.suns[0];
+  result.luminous_weight = luminous_weights(context, scene.wavelengths);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
     result.extraterrestrial.push_back(
         spectrum.irradiance_W_m2_nm(scene.wavelengths[i], scene.wavelengths.step_nm()) /
         (scene.sun_distance_au * scene.sun_distance_au));
   add_direct_beam(air, scene, aod500, result);
+  TransferOptions on_threads = transfer;
+  on_threads.threads = context.threads;
   if (options.diffuse || options.circumsolar_half_angle_deg > 0.0)
-    add_sky(air, scene, aod500, options, transfer, result);
+    add_sky(air, scene, aod500, options, on_threads, result);
   return result;
 }
 
@@ -130,10 +135,16 @@ double broadband_W_m2(const std::vector<double>& irradiance, const WavelengthGri
   return sum;
 }
 
-double illuminance_lux(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths) {
-  const std::vector<Xyz> weights = ColourMatching::load().weights(wavelengths);
+std::vector<double> luminous_weights(const Context& context, const WavelengthGrid& wavelengths) {
+  std::vector<double> weights;
+  for (const Xyz& weight : ColourMatching::load(context).weights(wavelengths)) weights.push_back(weight.Y);
+  return weights;
+}
+
+double illuminance_lux(const std::vector<double>& irradiance, const std::vector<double>& luminous_weight) {
+  SKYLUT_CHECK_LE(irradiance.size(), luminous_weight.size());
   double sum = 0.0;
-  for (std::size_t i = 0; i < irradiance.size(); ++i) sum += weights[i].Y * irradiance[i];
+  for (std::size_t i = 0; i < irradiance.size(); ++i) sum += luminous_weight[i] * irradiance[i];
   return sum;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
 
@@ -71,8 +72,7 @@ TableEntry table_entry(const SkyMap& map, const SkyFit& fit) {
 
 }  // namespace
 
-SkyTable fit_table(std::span<const SkyMap> maps, const SkyFitOptions& options, int threads,
-                   const std::function<void(std::size_t, std::size_t)>& progress) {
+SkyTable fit_table(const Context& context, std::span<const SkyMap> maps, const SkyFitOptions& options) {
   SkyTable table;
   table.entries.resize(maps.size());
   table.fits.resize(maps.size());
@@ -89,11 +89,11 @@ SkyTable fit_table(std::span<const SkyMap> maps, const SkyFitOptions& options, i
 
   std::mutex one_at_a_time;
   std::size_t done = maps.size() - to_be_fitted.size();
-  parallel_for(to_be_fitted.size(), threads, [&](std::size_t task) {
+  parallel_for(to_be_fitted.size(), context.threads, [&](std::size_t task) {
     const std::size_t i = to_be_fitted[task];
     table.fits[i] = fit_map(maps[i], i + 1, options);
     const std::lock_guard lock(one_at_a_time);
-    if (progress) progress(++done, maps.size());
+    if (context.progress) context.progress("fitting", ++done, maps.size());
   });
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (first[i] != i) table.fits[i] = mirrored_fit(table.fits[first[i]], skies[first[i]], skies[i]);

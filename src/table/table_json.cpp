@@ -96,8 +96,8 @@ Json air_json(const SkyScene& scene, const TableOrigin& origin) {
 }
 
 // Every kind of turbidity for each value given, as far as it exists in this air.
-Json turbidities_json(const SkyScene& scene) {
-  const Atmosphere air(scene.profile, scene.air);
+Json turbidities_json(const Context& context, const SkyScene& scene) {
+  const Atmosphere air(context, scene.profile, scene.air);
   Json all = Json::array();
   for (const Turbidity& turbidity : scene.turbidities) {
     Json one = {{"given", turbidity.value}, {"kind", turbidity_kind_name(turbidity.kind)}};
@@ -109,11 +109,11 @@ Json turbidities_json(const SkyScene& scene) {
   return all;
 }
 
-Json inputs(const SkyScene& scene, const TableOrigin& origin) {
+Json inputs(const Context& context, const SkyScene& scene, const TableOrigin& origin) {
   Json suns = Json::array();
   for (const Direction& sun : scene.suns) suns.push_back(as_json(sun));
   return {{"altitudes_km", scene.altitudes_km},
-          {"turbidities", turbidities_json(scene)},
+          {"turbidities", turbidities_json(context, scene)},
           {"suns", suns},
           {"directions", {{"name", origin.directions}, {"count", scene.directions.size()}}},
           {"wavelengths_nm",
@@ -167,7 +167,8 @@ Json row_json(std::size_t row, const TableEntry& entry, const SkyFit& fit,
 
 }  // namespace
 
-std::string table_json(const SkyTable& table, const SkyScene& scene, const TableOrigin& origin) {
+std::string table_json(const Context& context, const SkyTable& table, const SkyScene& scene,
+                       const TableOrigin& origin) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < table.entries.size(); ++i)
     rows.push_back(row_json(i + 1, table.entries[i], table.fits[i], scene.directions));
@@ -176,7 +177,7 @@ std::string table_json(const SkyTable& table, const SkyScene& scene, const Table
                      {"skylut_version", kVersion},
                      {"command", origin.command},
                      {"units", units()},
-                     {"inputs", inputs(scene, origin)},
+                     {"inputs", inputs(context, scene, origin)},
                      {"rows", rows}};
   return file.dump(1) + "\n";
 }

@@ -4,15 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "skylut/core/constants.hpp"
 #include "skylut/atmosphere/absorbing_gas.hpp"
-#include "skylut/scattering/aerosol_optics.hpp"
 #include "skylut/atmosphere/ground_albedo.hpp"
 #include "skylut/atmosphere/line_absorption.hpp"
-#include "skylut/scattering/optical_column.hpp"
+#include "skylut/core/constants.hpp"
 #include "skylut/profile/profile.hpp"
+#include "skylut/scattering/aerosol_optics.hpp"
+#include "skylut/scattering/optical_column.hpp"
 
 namespace skylut {
+
+struct Context;
 
 /// What a profile leaves open.
 struct AtmosphereOptions {
@@ -63,7 +65,7 @@ struct ColumnTerm {
 class Atmosphere {
  public:
   /// @throws InputError  for options out of range (naming option and value)
-  Atmosphere(Profile profile, AtmosphereOptions options);
+  Atmosphere(const Context& context, Profile profile, AtmosphereOptions options);
 
   const Profile& profile() const { return profile_; }
   const AtmosphereOptions& options() const { return options_; }

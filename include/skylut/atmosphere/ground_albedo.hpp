@@ -8,6 +8,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// Share of the light that the ground, a Lambertian reflector, sends back: a number, or a curve by
 /// wavelength. [docs/air.md, "Ground"]
 class GroundAlbedo {
@@ -21,10 +23,10 @@ class GroundAlbedo {
   /// A preset (profiles/grounds/NAME.csv) or a file of one's own, which ends in .csv or has a slash and holds
   /// the columns wavelength_nm, albedo; straight lines between its points.
   /// @throws InputError  for an unknown name (naming those there are) or a file that is none
-  static GroundAlbedo load(const std::string& name_or_file);
+  static GroundAlbedo load(const Context& context, const std::string& name_or_file);
 
   /// The presets that come with skylut, sorted.
-  static std::vector<std::string> names();
+  static std::vector<std::string> names(const Context& context);
 
   /// @throws InputError  for an albedo outside [0, 1]
   void validate() const;

@@ -7,6 +7,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// A band of lines: its transmittance after a scaled amount u (molecules/m²) of the gas is
 /// T(u) = Σ weight exp(-coefficient u), where u = ∫ N (p / 1013.25 hPa)^n (273.15 K / T)^m ds: the lines are
 /// the broader, and absorb the more, the denser the air.
@@ -46,10 +48,10 @@ class LineAbsorption {
 
 /// Water vapour, 500-1000 nm: band model of LOWTRAN 7 (Pierluissi et al. 1989) above 560 nm. Sources in
 /// profiles/spectra/water_lines.csv. Amount: the vapour's.
-LineAbsorption load_water_lines();
+LineAbsorption load_water_lines(const Context& context);
 
 /// Oxygen: γ (628 nm), B (687 nm) and A (760 nm) bands from a line-by-line calculation. Sources in
 /// profiles/spectra/oxygen_lines.csv. Amount: the oxygen's.
-LineAbsorption load_oxygen_lines();
+LineAbsorption load_oxygen_lines(const Context& context);
 
 }  // namespace skylut

@@ -7,6 +7,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// Extraterrestrial solar irradiance at the mean Earth-Sun distance. Its mean over any band is exact.
 /// [docs/air.md §9]
 class SolarSpectrum {
@@ -19,7 +21,7 @@ class SolarSpectrum {
   ///   a file        ends in .csv or has a slash: columns wavelength_nm, irradiance_W_m2_nm; straight lines
   ///                 between its points
   /// @throws InputError  for an unknown name (naming those there are) or a file that is none
-  static SolarSpectrum load(const std::string& name_or_file = "astm-g173");
+  static SolarSpectrum load(const Context& context, const std::string& name_or_file = "astm-g173");
 
   /// The names that load() knows, the default first.
   static std::vector<std::string> names();

@@ -11,6 +11,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// A comparison as rows of named cells: the same content as text, CSV and JSON.
 struct CompareReport {
   using Cell =
@@ -33,6 +35,6 @@ CompareReport compare_with_preetham1999(std::span<const TableEntry> entries, con
 
 /// Every legible published row, its verdict, and the entry of the table for the same altitude, turbidity and
 /// sun.
-CompareReport compare_with_utm2005(std::span<const TableEntry> entries);
+CompareReport compare_with_utm2005(const Context& context, std::span<const TableEntry> entries);
 
 }  // namespace skylut

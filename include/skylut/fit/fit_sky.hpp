@@ -53,9 +53,4 @@ SkyFit fit_sky(std::span<const SkyDirection> views, std::span<const Yxy> sky, do
 /// The channels whose fit did not converge, "x, y"; empty if all did.
 std::string unconverged_channels(const SkyFit& fit);
 
-/// Three Perez formulas and a zenith colour as a sky for the one sun they were fitted for.
-/// @return Y in the unit of `zenith`
-Yxy perez_sky(const PerezCoefficients& Y, const PerezCoefficients& x, const PerezCoefficients& y,
-              const Yxy& zenith, double view_zenith_rad, double gamma_rad, double sun_zenith_rad);
-
 }  // namespace skylut

@@ -3,11 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "skylut/atmosphere/spectral_curve.hpp"
 #include "skylut/sky/sun_irradiance.hpp"
 
 /// The sun's direct beam by formulas of one line each, for comparison with ours. [docs/air.md, "Closed
 /// forms"]
 namespace skylut {
+
+struct Context;
 
 enum class ClosedFormModel {
   iqbal,       ///< Iqbal 1983 (Preetham et al. 1999 A.1): one optical mass, that of Kasten 1966
@@ -42,16 +45,28 @@ struct ClosedFormAir {
   double water_cm = 0.0;      ///< precipitable, >= 0
 };
 
+/// Absorption coefficients of the closed forms by wavelength.
+struct ClosedFormAbsorption {
+  SpectralCurve ozone_per_atm_cm;
+  SpectralCurve mixed_gases;
+  SpectralCurve water_vapour_per_cm;
+
+  /// Reads profiles/spectra/closed_form_absorption.csv. @throws WorkError, InputError if it is missing or
+  /// broken
+  static ClosedFormAbsorption load(const Context& context);
+};
+
 /// Transmittances at one wavelength, in the order rayleigh, ozone, mixed_gases, water_vapour, aerosol:
 ///   exp(-0.008735 λ^-4.08 m), exp(-k l m), exp(-1.41 k m / (1 + 118.3 k m)^0.45),
 ///   exp(-0.2385 k w m / (1 + 20.07 k w m)^0.45), exp(-β λ^-α m), λ in µm (Leckner 1978, Ångström 1929)
-/// with the coefficients k of profiles/spectra/closed_form_absorption.csv.
-std::vector<double> closed_form_transmittances(const ClosedFormAir& air, const OpticalMasses& masses,
+/// with the coefficients k given.
+std::vector<double> closed_form_transmittances(const ClosedFormAbsorption& absorption,
+                                               const ClosedFormAir& air, const OpticalMasses& masses,
                                                double wavelength_nm);
 
 /// The direct beam of simulate_sun by such a model; the same scene, without diffuse light. The air's columns
 /// and pressure are those above the observer.
 /// @throws InputError  as simulate_sun, and for a sun below the horizon
-SunIrradiance simulate_sun_closed_form(const SkyScene& scene, ClosedFormModel model);
+SunIrradiance simulate_sun_closed_form(const Context& context, const SkyScene& scene, ClosedFormModel model);
 
 }  // namespace skylut

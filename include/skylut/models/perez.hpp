@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "skylut/colour/yxy.hpp"
+
 namespace skylut {
 
 /// The five coefficients of the Perez formula (Perez, Seals, Michalsky 1993), dimensionless; γ in radians.
@@ -43,5 +45,10 @@ inline double perez_relative(const PerezCoefficients& c, double zenith_rad, doub
                              double sun_zenith_rad) {
   return perez(c, zenith_rad, gamma_rad) / perez(c, 0.0, sun_zenith_rad);
 }
+
+/// Three Perez formulas and a zenith colour as a sky for the one sun they were fitted for.
+/// @return Y in the unit of `zenith`
+Yxy perez_sky(const PerezCoefficients& Y, const PerezCoefficients& x, const PerezCoefficients& y,
+              const Yxy& zenith, double view_zenith_rad, double gamma_rad, double sun_zenith_rad);
 
 }  // namespace skylut

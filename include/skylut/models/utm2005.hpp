@@ -9,6 +9,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// One legible row of appendix A of the UTM report 2005. It prints a single set A…E per row, not three.
 struct Utm2005Row {
   double altitude_km = 0.0;
@@ -35,7 +37,7 @@ struct Utm2005Verdict {
 /// Reads profiles/reference/utm2005_appendix_a.csv.
 /// @throws WorkError   if it is missing
 /// @throws InputError  "file:line: …" if it is broken
-std::vector<Utm2005Row> load_utm2005();
+std::vector<Utm2005Row> load_utm2005(const Context& context);
 
 /// One verdict per row; mirrors are looked for among the rows.
 std::vector<Utm2005Verdict> judge_utm2005(const std::vector<Utm2005Row>& rows,

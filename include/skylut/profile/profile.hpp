@@ -6,6 +6,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// One data column of a profile file as it was read: what it is, in which unit, and from where.
 struct ProfileColumn {
   std::string name;            ///< key in the file: altitude, temperature, ozone, …
@@ -62,10 +64,10 @@ struct Profile {
 /// @throws InputError  one line naming file (and line), key, value and what would be right: unknown
 ///                     name, broken TOML, unknown key or unit, missing column, NaN, duplicate
 ///                     altitude, negative density, first level not 0, top below 30 km
-Profile load_profile(const std::string& name_or_path);
+Profile load_profile(const Context& context, const std::string& name_or_path);
 
 /// Names of the profiles that come with skylut, sorted.
-std::vector<std::string> profile_names();
+std::vector<std::string> profile_names(const Context& context);
 
 /// Temperature, pressure and number density of the air at one altitude.
 struct AirState {

@@ -8,6 +8,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// How many particles have which radius, by number.
 struct SizeDistribution {
   enum class Kind {
@@ -62,10 +64,10 @@ struct AerosolDescription {
 /// @param humidity_percent  0-99, instead of the file's own
 /// @throws InputError  one line naming file (and line), key, value and what would be right; or a
 ///                     humidity given for an aerosol that takes up no water
-AerosolDescription load_aerosol_description(const std::string& name_or_path,
+AerosolDescription load_aerosol_description(const Context& context, const std::string& name_or_path,
                                             std::optional<double> humidity_percent = std::nullopt);
 
 /// Names of the aerosols that come with skylut, sorted.
-std::vector<std::string> aerosol_names();
+std::vector<std::string> aerosol_names(const Context& context);
 
 }  // namespace skylut

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "skylut/scattering/phase_function.hpp"
-#include "skylut/scattering/tabulated_phase_function.hpp"
 #include "skylut/scattering/aerosol_description.hpp"
 #include "skylut/scattering/aerosol_shape.hpp"
+#include "skylut/scattering/phase_function.hpp"
+#include "skylut/scattering/tabulated_phase_function.hpp"
 
 namespace skylut {
+
+struct Context;
 
 /// What aerosol does to light, per unit of optical depth, and where it is. The default is rural aerosol with
 /// a Henyey-Greenstein phase function; load_aerosol() gives better ones. [docs/aerosols.md]
@@ -64,11 +66,11 @@ struct AerosolOptics {
 };
 
 /// Optics of a description: Mie's theory for its particles, at 13 wavelengths from 300 to 1000 nm. Takes
-/// 0.2-2 s of one core the first time, some 0.05 s later (kept in $XDG_CACHE_HOME/skylut).
-AerosolOptics aerosol_optics(const AerosolDescription& description);
+/// 0.2-2 s of one core the first time, some 0.05 s later (kept in the context's cache folder).
+AerosolOptics aerosol_optics(const Context& context, const AerosolDescription& description);
 
 /// Reads and computes an aerosol. @throws InputError as load_aerosol_description()
-AerosolOptics load_aerosol(const std::string& name_or_path,
+AerosolOptics load_aerosol(const Context& context, const std::string& name_or_path,
                            std::optional<double> humidity_percent = std::nullopt);
 
 }  // namespace skylut

@@ -11,6 +11,8 @@
 /// The whole way from an atmosphere to skies: start reading here.
 namespace skylut {
 
+struct Context;
+
 /// What to simulate: every altitude with every turbidity under every sun.
 struct SkyScene {
   Profile profile;
@@ -31,6 +33,7 @@ struct SkyScene {
 ///
 /// @throws InputError  for values outside the ranges above (never clamped)
 /// @throws WorkError   if the transfer does not converge
-std::vector<SkyMap> simulate_sky(const SkyScene& scene, const TransferOptions& options);
+std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
+                                 const TransferOptions& options);
 
 }  // namespace skylut

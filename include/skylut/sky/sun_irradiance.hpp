@@ -7,6 +7,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// What is asked beside the direct beam.
 struct SunIrradianceOptions {
   bool diffuse = true;  ///< also the diffuse irradiance: needs the sun within 96° of the zenith
@@ -31,6 +33,8 @@ struct SunIrradiance {
   std::vector<double> diffuse_horizontal;  ///< from above on a horizontal plane, without the beam
   std::vector<double> circumsolar_normal;  ///< diffuse light around the sun, normal to the beam
   std::vector<ConstituentTransmittance> transmittance;
+  std::vector<double>
+      luminous_weight;  ///< lux per W m⁻² nm⁻¹: K_m V(λ) step; illuminance = Σ weight irradiance
 
   /// Direct and diffuse light on a horizontal plane; empty without diffuse light.
   std::vector<double> global_horizontal() const;
@@ -44,13 +48,17 @@ struct SunIrradiance {
 ///               directions are not used
 /// @throws InputError  for values outside the ranges (never clamped)
 /// @throws WorkError   if the transfer does not converge
-SunIrradiance simulate_sun(const SkyScene& scene, const SunIrradianceOptions& options,
+SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer);
 
 /// Σ irradiance · step, W/m².
 double broadband_W_m2(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths);
 
 /// Illuminance K_m Σ irradiance V(λ) step, lux; the wavelengths should span the visible range.
-double illuminance_lux(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths);
+/// @param luminous_weight  as SunIrradiance holds it
+double illuminance_lux(const std::vector<double>& irradiance, const std::vector<double>& luminous_weight);
+
+/// K_m V(λ) step of every wavelength, lux per W m⁻² nm⁻¹.
+std::vector<double> luminous_weights(const Context& context, const WavelengthGrid& wavelengths);
 
 }  // namespace skylut

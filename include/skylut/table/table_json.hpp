@@ -9,6 +9,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// How a table came about, besides the scene itself.
 struct TableOrigin {
   std::string command;         ///< the command line that makes the same table again
@@ -21,6 +23,7 @@ struct TableOrigin {
 /// table.json: version, units, every input with the whole profile, and for each row the coefficients
 /// with what the fits report. Objects keep a fixed order; the same table gives the same bytes. Numbers
 /// that are not finite are written as null.
-std::string table_json(const SkyTable& table, const SkyScene& scene, const TableOrigin& origin);
+std::string table_json(const Context& context, const SkyTable& table, const SkyScene& scene,
+                       const TableOrigin& origin);
 
 }  // namespace skylut

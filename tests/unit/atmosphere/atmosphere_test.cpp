@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/gas_cross_sections.hpp"
+#include "skylut/core/errors.hpp"
 #include "skylut/scattering/rayleigh.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -34,7 +35,7 @@ double smooth_depth(const std::vector<ConstituentDepth>& depths) {
 TEST(Atmosphere, RayleighDepthOfTheStandardAtmosphere) {
   AtmosphereOptions options;
   options.gravity_m_s2 = 9.80616;
-  const Atmosphere air(load_profile("ussa1976"), options);
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), options);
   for (double wavelength_nm : {400.0, 500.0, 550.0, 600.0, 700.0}) {
     const double square = wavelength_nm * wavelength_nm * 1e-6;
     const double published = 0.0021520 * (1.0455996 - 341.29061 / square - 0.90230850 * square) /
@@ -47,13 +48,13 @@ TEST(Atmosphere, RayleighDepthOfTheStandardAtmosphere) {
 // τ = σ p / (m g): the column is inversely proportional to gravity, the air at the ground is not. The
 // 3e-7th of the air above 100 km is missing, of which stretching by 0.5 % changes a part: 3e-8.
 TEST(Atmosphere, GravityStretchesTheAir) {
-  const Profile profile = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "ussa1976");
   AtmosphereOptions equator;
   equator.gravity_m_s2 = 9.7803;
   AtmosphereOptions pole;
   pole.gravity_m_s2 = 9.8322;
-  const Atmosphere at_equator(profile, equator);
-  const Atmosphere at_pole(profile, pole);
+  const Atmosphere at_equator(test::context, profile, equator);
+  const Atmosphere at_pole(test::context, profile, pole);
   EXPECT_NEAR(at_equator.rayleigh_depth(500.0) / at_pole.rayleigh_depth(500.0), 9.8322 / 9.7803, 3e-8);
   EXPECT_DOUBLE_EQ(at_equator.rayleigh_extinction_at_ground_per_km(500.0),
                    at_pole.rayleigh_extinction_at_ground_per_km(500.0));
@@ -61,7 +62,7 @@ TEST(Atmosphere, GravityStretchesTheAir) {
 
 TEST(Atmosphere, LayersAddUpToTheConstituents) {
   for (const char* name : {"ussa1976", "utm2005"}) {
-    const Atmosphere air(load_profile(name), {});
+    const Atmosphere air(test::context, load_profile(test::context, name), {});
     const std::size_t layers = air.shells().levels_km.size() - 1;
     EXPECT_EQ(air.shells().levels_km.front(), 0.0);
     EXPECT_EQ(air.shells().levels_km.back(), 100.0);
@@ -94,7 +95,7 @@ TEST(Atmosphere, LayersAddUpToTheConstituents) {
 
 // Optical depth above an altitude = layers above it; halfway through a layer = in between.
 TEST(Atmosphere, DepthsAboveAnAltitude) {
-  const Atmosphere air(load_profile("ussa1976"), {});
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
   const auto total = [&](double altitude_km) {
     return smooth_depth(air.optical_depths(550.0, 0.2, altitude_km));
   };
@@ -114,8 +115,8 @@ TEST(Atmosphere, DepthsAboveAnAltitude) {
 // Ozone by hand: 343.8 DU times the cross-section at the ozone's mean temperature; the cross-section's
 // curvature over the temperatures of the stratosphere (±20 K) adds up to 0.3 %.
 TEST(Atmosphere, OzoneDepth) {
-  const Atmosphere air(load_profile("ussa1976"), {});
-  const CrossSection ozone = load_ozone_cross_section();
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
+  const CrossSection ozone = load_ozone_cross_section(test::context);
   const double mean_K = air.profile().quantities.front().ozone_temperature_K;
   for (double wavelength_nm : {500.0, 550.0, 600.0, 700.0}) {
     const double expected = 343.8 * kDobsonUnit_per_m2 * ozone.at_m2(wavelength_nm, mean_K);
@@ -124,27 +125,32 @@ TEST(Atmosphere, OzoneDepth) {
   }
   AtmosphereOptions options;
   options.ozone_du = 171.9;
-  EXPECT_NEAR(depth_of(Atmosphere(load_profile("ussa1976"), options).optical_depths(600.0, 0.0), "ozone"),
+  EXPECT_NEAR(depth_of(Atmosphere(test::context, load_profile(test::context, "ussa1976"), options)
+                           .optical_depths(600.0, 0.0),
+                       "ozone"),
               0.5 * depth_of(air.optical_depths(600.0, 0.0), "ozone"), 1e-12);
   options.ozone_du = 0.0;
-  EXPECT_EQ(depth_of(Atmosphere(load_profile("ussa1976"), options).optical_depths(600.0, 0.0), "ozone"), 0.0);
+  EXPECT_EQ(depth_of(Atmosphere(test::context, load_profile(test::context, "ussa1976"), options)
+                         .optical_depths(600.0, 0.0),
+                     "ozone"),
+            0.0);
 }
 
 TEST(Atmosphere, ProfileSaysWhereTheAerosolIs) {
-  Profile profile = load_profile("ussa1976");
+  Profile profile = load_profile(test::context, "ussa1976");
   for (double z : profile.altitude_km) profile.relative_aerosol_extinction.push_back(z <= 1.0 ? 7.0 : 0.0);
-  const Atmosphere air(profile, {});
+  const Atmosphere air(test::context, profile, {});
   // 7 over the first kilometre, then linear to 0 over the second: 7 + 3.5.
   EXPECT_NEAR(depth_of(air.optical_depths(500.0, 0.3, 1.0), "aerosol"), 0.3 * 3.5 / 10.5, 1e-12);
   EXPECT_NEAR(air.aerosol_extinction_at_ground_per_km(500.0, 0.3), 0.3 / 1.5, 1e-12);
 }
 
 TEST(Atmosphere, OutOfRangeIsRefused) {
-  const Profile profile = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "ussa1976");
   const auto refused = [&](auto change) {
     AtmosphereOptions options;
     change(options);
-    EXPECT_THROW(Atmosphere(profile, options), InputError);
+    EXPECT_THROW(Atmosphere(test::context, profile, options), InputError);
   };
   refused([](AtmosphereOptions& o) { o.ground_albedo = 1.1; });
   refused([](AtmosphereOptions& o) { o.ground_albedo = NAN; });
@@ -155,7 +161,7 @@ TEST(Atmosphere, OutOfRangeIsRefused) {
   refused([](AtmosphereOptions& o) { o.gravity_m_s2 = 3.7; });
   refused([](AtmosphereOptions& o) { o.planet_radius_km = 0.0; });
   refused([](AtmosphereOptions& o) { o.aerosol.angstrom_exponent = 9.0; });
-  const Atmosphere air(profile, {});
+  const Atmosphere air(test::context, profile, {});
   EXPECT_THROW(air.column(299.0, 0.0), InputError);
   EXPECT_THROW(air.column(500.0, -0.1), InputError);
   EXPECT_THROW(air.column(500.0, INFINITY), InputError);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skylut/atmosphere/line_absorption.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -43,7 +44,8 @@ TEST(FitExponentials, EveryBandOfLines) {
     double vertical_amount;  // molecules/m²: 1.2 g/cm² of water, 2.3e28 of oxygen, scaled
     double first_nm;
   };
-  for (const Case& gas : {Case{load_water_lines(), 4e26, 500.0}, Case{load_oxygen_lines(), 2.3e28, 620.0}})
+  for (const Case& gas : {Case{load_water_lines(test::context), 4e26, 500.0},
+                          Case{load_oxygen_lines(test::context), 2.3e28, 620.0}})
     for (double band_nm : {1.0, 5.0, 10.0})
       for (double wavelength_nm = gas.first_nm; wavelength_nm <= 1000.0; wavelength_nm += band_nm) {
         const LineBand band = gas.lines.band(wavelength_nm, band_nm);
@@ -72,16 +74,17 @@ TEST(FitExponentials, StrongestBands) {
     const std::vector<Exponential> fit = fit_exponentials(band.sum, vertical_amount);
     EXPECT_EQ(fit.size(), 3u);
     for (double m : {1.0, 1.5, 2.0, 3.0, 4.0})
-      EXPECT_NEAR(transmittance(fit, m * vertical_amount), transmittance(band.sum, m * vertical_amount), tolerance)
+      EXPECT_NEAR(transmittance(fit, m * vertical_amount), transmittance(band.sum, m * vertical_amount),
+                  tolerance)
           << m;
     EXPECT_LE(fit.back().coefficient * vertical_amount, 3.0 * (1.0 + 1e-12));
   };
-  check(load_oxygen_lines().band(760.0, 5.0), 2.3e28, 0.02);
-  check(load_water_lines().band(935.0, 5.0), 4e26, 0.05);
+  check(load_oxygen_lines(test::context).band(760.0, 5.0), 2.3e28, 0.02);
+  check(load_water_lines(test::context).band(935.0, 5.0), 4e26, 0.05);
 }
 
 TEST(FitExponentials, SameInputSameTerms) {
-  const std::vector<Exponential> band = load_water_lines().band(720.0, 5.0).sum;
+  const std::vector<Exponential> band = load_water_lines(test::context).band(720.0, 5.0).sum;
   const std::vector<Exponential> first = fit_exponentials(band, 4e26);
   const std::vector<Exponential> second = fit_exponentials(band, 4e26);
   ASSERT_EQ(first.size(), second.size());

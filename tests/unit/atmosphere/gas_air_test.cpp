@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/atmosphere.hpp"
 #include "skylut/atmosphere/gas_cross_sections.hpp"
+#include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -45,14 +46,14 @@ Atmosphere g173_air() {
   options.ozone_du = 343.8;
   options.no2_du = 0.204;
   options.water_cm = 1.416;
-  return {load_profile("ussa1976"), options};
+  return Atmosphere(test::context, load_profile(test::context, "ussa1976"), options);
 }
 
 TEST(GasAir, ConstituentsInOneOrder) {
   const std::vector<std::string> names{"rayleigh", "ozone",        "no2",    "o2_o2",
                                        "oxygen",   "water_vapour", "aerosol"};
   for (const char* profile : {"ussa1976", "utm2005", "tropical"}) {
-    const Atmosphere air(load_profile(profile), {});
+    const Atmosphere air(test::context, load_profile(test::context, profile), {});
     const std::vector<Constituent> constituents = air.constituents(690.0, 5.0, 0.1);
     const std::vector<ConstituentDepth> depths = air.optical_depths(690.0, 0.1);
     ASSERT_EQ(constituents.size(), names.size());
@@ -134,12 +135,12 @@ TEST(GasAir, LinesAreMoreTransparentTheSecondTime) {
 TEST(GasAir, OxygenPairs) {
   const Atmosphere air = g173_air();
   const double per_m5 = depth_of(air.optical_depths(577.0, 0.0), "o2_o2") /
-                        load_oxygen_pair_cross_section().at_m2(577.0, 296.0);
+                        load_oxygen_pair_cross_section(test::context).at_m2(577.0, 296.0);
   EXPECT_NEAR(per_m5, 1.31e53, 0.03e53);
   // Half the pressure: a quarter of the pairs.
   AtmosphereOptions options;
   options.surface_pressure_hPa = 0.5 * 1013.25;
-  const Atmosphere thin(load_profile("ussa1976"), options);
+  const Atmosphere thin(test::context, load_profile(test::context, "ussa1976"), options);
   EXPECT_NEAR(
       depth_of(thin.optical_depths(577.0, 0.0), "o2_o2") / depth_of(air.optical_depths(577.0, 0.0), "o2_o2"),
       0.25, 1e-6);
@@ -155,7 +156,9 @@ TEST(GasAir, NitrogenDioxide) {
   EXPECT_NEAR(depth_of(g173_air().optical_depths(450.0, 0.0), "no2"), 5.48e15 * 4.9e-19, 2e-4);
   AtmosphereOptions options;
   options.no2_du = 2.04;
-  EXPECT_NEAR(depth_of(Atmosphere(load_profile("ussa1976"), options).optical_depths(450.0, 0.0), "no2"),
+  EXPECT_NEAR(depth_of(Atmosphere(test::context, load_profile(test::context, "ussa1976"), options)
+                           .optical_depths(450.0, 0.0),
+                       "no2"),
               10.0 * depth_of(g173_air().optical_depths(450.0, 0.0), "no2"), 1e-9);
 }
 
@@ -194,12 +197,12 @@ TEST(GasAir, TransmittancesOfG173) {
 }
 
 TEST(GasAir, WithoutWaterNothingToScale) {
-  Profile dry = load_profile("ussa1976");
+  Profile dry = load_profile(test::context, "ussa1976");
   std::erase_if(dry.gases, [](const GasProfile& gas) { return gas.name == "water_vapour"; });
-  EXPECT_EQ(depth_of(Atmosphere(dry, {}).optical_depths(720.0, 0.0), "water_vapour"), 0.0);
+  EXPECT_EQ(depth_of(Atmosphere(test::context, dry, {}).optical_depths(720.0, 0.0), "water_vapour"), 0.0);
   AtmosphereOptions options;
   options.water_cm = 1.0;
-  EXPECT_THROW(Atmosphere(dry, options), InputError);
+  EXPECT_THROW(Atmosphere(test::context, dry, options), InputError);
 }
 
 }  // namespace

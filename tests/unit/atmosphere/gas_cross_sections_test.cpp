@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "support/test_context.hpp"
+
 namespace skylut {
 namespace {
 
@@ -26,7 +28,7 @@ std::vector<std::vector<double>> reference(const char* name) {
 }
 
 TEST(NitrogenDioxide, IntegralAndPeak) {
-  const CrossSection no2 = load_nitrogen_dioxide_cross_section();
+  const CrossSection no2 = load_nitrogen_dioxide_cross_section(test::context);
   double sum = 0.0;
   for (double nm = 400.0; nm <= 600.0; nm += 5.0) sum += 5.0 * no2.at_m2(nm, 243.0);
   EXPECT_NEAR(sum / 5.927e-21, 1.0, 0.001);  // as the header of the file says
@@ -41,7 +43,7 @@ TEST(NitrogenDioxide, IntegralAndPeak) {
 TEST(NitrogenDioxide, ReferenceTable) {
   const auto rows = reference("no2_xs.csv");
   if (rows.empty()) GTEST_SKIP() << "no reference figures beside the source tree";
-  const CrossSection no2 = load_nitrogen_dioxide_cross_section();
+  const CrossSection no2 = load_nitrogen_dioxide_cross_section(test::context);
   for (const std::vector<double>& row : rows) {
     if (row[0] < 300.0 || row[0] > 600.0) continue;
     const double temperature_K[] = {223.0, 243.0, 273.0, 293.0};
@@ -53,7 +55,7 @@ TEST(NitrogenDioxide, ReferenceTable) {
 // Greenblatt et al. 1990: the strongest band in the visible, 577 nm, is 1.1e-45 cm^5 at its peak; over
 // 5 nm less. The 630 nm band is weaker.
 TEST(OxygenPairs, Bands) {
-  const CrossSection pairs = load_oxygen_pair_cross_section();
+  const CrossSection pairs = load_oxygen_pair_cross_section(test::context);
   EXPECT_NEAR(pairs.at_m2(577.0, 250.0), 9.4e-56, 0.3e-56);
   EXPECT_NEAR(pairs.at_m2(630.0, 250.0), 7.0e-56, 0.1e-56);
   EXPECT_EQ(pairs.at_m2(550.0, 250.0), 0.0);
@@ -63,7 +65,7 @@ TEST(OxygenPairs, Bands) {
 TEST(OxygenPairs, ReferenceTable) {
   const auto rows = reference("o4_xs.csv");
   if (rows.empty()) GTEST_SKIP() << "no reference figures beside the source tree";
-  const CrossSection pairs = load_oxygen_pair_cross_section();
+  const CrossSection pairs = load_oxygen_pair_cross_section(test::context);
   for (const std::vector<double>& row : rows) {
     if (row[0] > 680.0) continue;
     EXPECT_NEAR(pairs.at_m2(row[0], 296.0), 1e-56 * row[1], 1e-59 + 1e-4 * 1e-56 * row[1]) << row[0];

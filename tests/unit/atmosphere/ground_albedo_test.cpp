@@ -4,8 +4,9 @@
 
 #include <cmath>
 
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/atmosphere.hpp"
+#include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -23,23 +24,25 @@ TEST(GroundAlbedo, ANumberIsTheSameEverywhere) {
 // What everyone knows of them: snow is white, grass has its red edge, sand is reddish, water and asphalt
 // dark.
 TEST(GroundAlbedo, PresetsLookLikeTheirNames) {
-  EXPECT_EQ(GroundAlbedo::names(), (std::vector<std::string>{"asphalt", "grass", "sand", "snow", "water"}));
-  for (const std::string& name : GroundAlbedo::names()) {
-    const GroundAlbedo ground = GroundAlbedo::load(name);
+  EXPECT_EQ(GroundAlbedo::names(test::context),
+            (std::vector<std::string>{"asphalt", "grass", "sand", "snow", "water"}));
+  for (const std::string& name : GroundAlbedo::names(test::context)) {
+    const GroundAlbedo ground = GroundAlbedo::load(test::context, name);
     ground.validate();
     EXPECT_FALSE(ground.constant());
     EXPECT_EQ(ground.name(), name);
     for (double wavelength_nm = 300.0; wavelength_nm <= 1000.0; wavelength_nm += 5.0)
       EXPECT_GT(ground.at(wavelength_nm, 5.0), 0.0) << name;
   }
-  EXPECT_GT(GroundAlbedo::load("snow").at(500.0), 0.95);
-  EXPECT_LT(GroundAlbedo::load("snow").at(1000.0), 0.75);
-  const GroundAlbedo grass = GroundAlbedo::load("grass");
+  EXPECT_GT(GroundAlbedo::load(test::context, "snow").at(500.0), 0.95);
+  EXPECT_LT(GroundAlbedo::load(test::context, "snow").at(1000.0), 0.75);
+  const GroundAlbedo grass = GroundAlbedo::load(test::context, "grass");
   EXPECT_GT(grass.at(550.0), 1.5 * grass.at(675.0));
   EXPECT_GT(grass.at(800.0), 8.0 * grass.at(675.0));
-  EXPECT_GT(GroundAlbedo::load("sand").at(700.0), 2.0 * GroundAlbedo::load("sand").at(400.0));
-  EXPECT_LT(GroundAlbedo::load("water").at(550.0), 0.1);
-  EXPECT_LT(GroundAlbedo::load("asphalt").at(550.0), 0.15);
+  EXPECT_GT(GroundAlbedo::load(test::context, "sand").at(700.0),
+            2.0 * GroundAlbedo::load(test::context, "sand").at(400.0));
+  EXPECT_LT(GroundAlbedo::load(test::context, "water").at(550.0), 0.1);
+  EXPECT_LT(GroundAlbedo::load(test::context, "asphalt").at(550.0), 0.15);
 }
 
 // Snow as its file's header computes it: Warren and Brandt's k = 2.289e-9 at 550 nm, grains of 0.2 mm.
@@ -50,7 +53,8 @@ TEST(GroundAlbedo, SnowFollowsItsFormula) {
   const double absorbed =
       8.0 * M_PI * 200e-6 * k / (3.0 * 550e-9) * (n * n * n - std::pow(n * n - 1.0, 1.5)) / n;
   const double expected = std::exp(-4.0 * std::sqrt(absorbed / (3.0 * (1.0 - g * (1.0 - absorbed)))));
-  EXPECT_NEAR(GroundAlbedo::load("snow").at(550.0), expected, 6e-4);  // the file has three decimals
+  EXPECT_NEAR(GroundAlbedo::load(test::context, "snow").at(550.0), expected,
+              6e-4);  // the file has three decimals
 }
 
 TEST(GroundAlbedo, BandMeansAndEnds) {
@@ -64,16 +68,16 @@ TEST(GroundAlbedo, BandMeansAndEnds) {
 
 TEST(GroundAlbedo, AirHandsItToTheSolver) {
   AtmosphereOptions options;
-  options.ground_albedo = GroundAlbedo::load("grass");
-  const Atmosphere air(load_profile("ussa1976"), options);
+  options.ground_albedo = GroundAlbedo::load(test::context, "grass");
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), options);
   EXPECT_EQ(air.column(550.0, 0.1).ground_albedo, options.ground_albedo.at(550.0));
   for (const ColumnTerm& term : air.band_columns(710.0, 20.0, 0.1))
     EXPECT_EQ(term.column.ground_albedo, options.ground_albedo.at(710.0, 20.0));
 }
 
 TEST(GroundAlbedo, WrongNamesAreRefused) {
-  EXPECT_THROW(GroundAlbedo::load("gras"), InputError);
-  EXPECT_THROW(GroundAlbedo::load("missing.csv"), InputError);
+  EXPECT_THROW(GroundAlbedo::load(test::context, "gras"), InputError);
+  EXPECT_THROW(GroundAlbedo::load(test::context, "missing.csv"), InputError);
 }
 
 }  // namespace

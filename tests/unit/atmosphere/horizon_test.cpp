@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include "skylut/core/quadrature.hpp"
 #include "skylut/atmosphere/atmosphere.hpp"
+#include "skylut/core/quadrature.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -20,7 +21,8 @@ double depth_above(const Atmosphere& air, double wavelength_nm, double aod500, d
 
 /// Horizontal optical depth from an altitude to the top through the continuous profile. With u = √(h - h₀),
 /// ds = (R + h) dh / √((h-h₀)(2R+h+h₀)) has no singularity: ds = 2 (R+h) du / √(2R+h+h₀).
-double continuous_horizontal_depth(const Atmosphere& air, double wavelength_nm, double aod500, double altitude_km) {
+double continuous_horizontal_depth(const Atmosphere& air, double wavelength_nm, double aod500,
+                                   double altitude_km) {
   const double radius_km = air.shells().planet_radius_km;
   double sum = 0.0;
   constexpr int kPieces = 40;
@@ -42,7 +44,8 @@ double continuous_horizontal_depth(const Atmosphere& air, double wavelength_nm, 
   return sum;
 }
 
-double layered_horizontal_depth(const Atmosphere& air, double wavelength_nm, double aod500, double altitude_km) {
+double layered_horizontal_depth(const Atmosphere& air, double wavelength_nm, double aod500,
+                                double altitude_km) {
   const OpticalColumn column = air.column(wavelength_nm, aod500);
   const std::vector<double>& level = air.shells().levels_km;
   const double radius_km = air.shells().planet_radius_km;
@@ -59,7 +62,7 @@ double layered_horizontal_depth(const Atmosphere& air, double wavelength_nm, dou
 // A layer of thickness d holds its mean density where the observer stands at its lower boundary: of the
 // horizontal depth that is an error of about (d/H)^1.5/10: 0.7 % for the haze (d = 0.25 km, H = 2 km).
 TEST(Horizon, LayersAreThinEnoughForHorizontalViews) {
-  const Atmosphere air(load_profile("ussa1976"), {});
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
   for (const double altitude_km : {0.0, 3.0, 6.0, 12.0, 20.0, 30.0})
     for (const double aod500 : {0.0, 0.5}) {
       const double continuous = continuous_horizontal_depth(air, 550.0, aod500, altitude_km);

@@ -6,6 +6,7 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -19,8 +20,8 @@ double equivalent_width_nm(const LineAbsorption& lines, double first_nm, double 
 }
 
 TEST(LineAbsorption, WeightsAddUpToOne) {
-  const LineAbsorption water = load_water_lines();
-  const LineAbsorption oxygen = load_oxygen_lines();
+  const LineAbsorption water = load_water_lines(test::context);
+  const LineAbsorption oxygen = load_oxygen_lines(test::context);
   for (const LineAbsorption* lines : {&water, &oxygen})
     for (double band_nm : {0.3, 1.0, 5.0, 10.0})
       for (double nm = 300.0; nm <= 1000.0; nm += 2.5) {
@@ -38,7 +39,7 @@ TEST(LineAbsorption, WeightsAddUpToOne) {
 
 // A band is the mean of its parts.
 TEST(LineAbsorption, BandIsTheMeanOfItsNanometres) {
-  const LineAbsorption water = load_water_lines();
+  const LineAbsorption water = load_water_lines(test::context);
   for (double amount : {1e25, 1e26, 1e27, 1e28}) {
     double mean = 0.0;
     for (double nm : {718.0, 719.0, 720.0, 721.0, 722.0})
@@ -51,13 +52,13 @@ TEST(LineAbsorption, BandIsTheMeanOfItsNanometres) {
 // is on the square-root part: four times the path doubles its width until neighbouring lines meet (LOWTRAN 7
 // has the exponent 0.564 for a single nm).
 TEST(LineAbsorption, CurveOfGrowth) {
-  const LineAbsorption oxygen = load_oxygen_lines();
+  const LineAbsorption oxygen = load_oxygen_lines(test::context);
   const auto width = [&](double amount) { return equivalent_width_nm(oxygen, 755.0, 778.0, amount); };
   EXPECT_NEAR(width(2e20) / width(1e20), 2.0, 0.01);
   const double slope = std::log(width(4.5e28) / width(4.5e27)) / std::log(10.0);
   EXPECT_GT(slope, 0.30);
   EXPECT_LT(slope, 0.55);
-  const LineAbsorption water = load_water_lines();
+  const LineAbsorption water = load_water_lines(test::context);
   const auto absorbed = [&](double amount) {
     return 1.0 - transmittance(water.band(645.0, 5.0).sum, amount);
   };
@@ -67,7 +68,7 @@ TEST(LineAbsorption, CurveOfGrowth) {
 
 // The exponents of the band model (Pierluissi et al. 1989), between two regions those of the stronger part.
 TEST(LineAbsorption, Exponents) {
-  const LineAbsorption water = load_water_lines();
+  const LineAbsorption water = load_water_lines(test::context);
   EXPECT_NEAR(water.band(720.0, 5.0).pressure_exponent, 0.8088, 1e-12);
   EXPECT_NEAR(water.band(590.0, 5.0).temperature_exponent, 0.5061, 1e-12);
   const LineBand none = water.band(450.0, 5.0);
@@ -78,7 +79,7 @@ TEST(LineAbsorption, Exponents) {
 // LOWTRAN 7's formula itself at one point: 13700 cm-1 (729.927 nm), C' = 10^-1.52352 (g/cm²)^-1, a = 0.6076.
 // Its neighbours over 1 nm span 0.06 in log C', so one point and the mean of the nm differ by a little.
 TEST(LineAbsorption, WaterAgainstTheBandModel) {
-  const LineAbsorption water = load_water_lines();
+  const LineAbsorption water = load_water_lines(test::context);
   for (double grams_per_cm2 : {0.1, 1.0, 3.0, 10.0, 50.0}) {
     const double model = std::exp(-std::pow(std::pow(10.0, -1.52352) * grams_per_cm2, 0.6076));
     EXPECT_NEAR(transmittance(water.band(730.0, 1.0).sum, grams_per_cm2 * water_molecules_per_m2_cm()), model,

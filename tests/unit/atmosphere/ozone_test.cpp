@@ -5,14 +5,15 @@
 #include <fstream>
 #include <sstream>
 
-#include "skylut/core/errors.hpp"
 #include "skylut/atmosphere/gas_cross_sections.hpp"
+#include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
 
 TEST(Ozone, IntegralOfTheFile) {
-  const CrossSection ozone = load_ozone_cross_section();
+  const CrossSection ozone = load_ozone_cross_section(test::context);
   double sum = 0.0;
   for (double wavelength_nm = 450.0; wavelength_nm <= 750.0; wavelength_nm += 5.0)
     sum += 5.0 * ozone.at_m2(wavelength_nm, 228.0);
@@ -21,7 +22,7 @@ TEST(Ozone, IntegralOfTheFile) {
 
 // Chappuis maximum near 603 nm, hardly dependent on temperature; Huggins bands that are.
 TEST(Ozone, TemperatureDependence) {
-  const CrossSection ozone = load_ozone_cross_section();
+  const CrossSection ozone = load_ozone_cross_section(test::context);
   EXPECT_NEAR(ozone.at_m2(600.0, 293.0) / ozone.at_m2(600.0, 203.0), 1.0, 0.01);
   EXPECT_GT(ozone.at_m2(325.0, 293.0), 1.3 * ozone.at_m2(325.0, 203.0));
   // Beyond the measured temperatures: the nearest.
@@ -35,7 +36,7 @@ TEST(Ozone, TemperatureDependence) {
 TEST(Ozone, ReferenceTable) {
   const std::filesystem::path path = std::filesystem::path(SKYLUT_SHARED_REFERENCE) / "data/ozone_xs.csv";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no reference figures beside the source tree";
-  const CrossSection ozone = load_ozone_cross_section();
+  const CrossSection ozone = load_ozone_cross_section(test::context);
   std::ifstream file(path);
   std::string line;
   std::getline(file, line);
@@ -54,7 +55,7 @@ TEST(Ozone, ReferenceTable) {
 }
 
 TEST(Ozone, OutsideTheTableIsRefused) {
-  const CrossSection ozone = load_ozone_cross_section();
+  const CrossSection ozone = load_ozone_cross_section(test::context);
   EXPECT_THROW(ozone.at_m2(299.0, 228.0), InputError);
   EXPECT_THROW(ozone.at_m2(1001.0, 228.0), InputError);
   EXPECT_THROW(ozone.at_m2(NAN, 228.0), InputError);

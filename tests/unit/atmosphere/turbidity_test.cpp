@@ -6,12 +6,13 @@
 #include <limits>
 
 #include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
 
 const Atmosphere& standard_air() {
-  static const Atmosphere air(load_profile("ussa1976"), {});
+  static const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
   return air;
 }
 

@@ -4,8 +4,9 @@
 
 #include <cmath>
 
-#include "skylut/core/errors.hpp"
 #include "skylut/cases/solve_case.hpp"
+#include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -22,7 +23,7 @@ OpticalCaseRequest request() {
 // The case is the same air: solving it gives the radiances of the air's own columns. 1e-4: moments end where
 // they add 1e-7 to the phase function, radiances are 32-bit floats.
 TEST(OpticalCase, SolvesToTheSameRadiances) {
-  const Atmosphere air(load_profile("ussa1976"), {});
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
   const auto solved = solve_case(optical_case(air, request()), "case", {});
   const std::vector<ColumnTerm> terms = air.band_columns(550.0, 5.0, 0.3);
   ASSERT_EQ(terms.size(), 1u);
@@ -34,8 +35,8 @@ TEST(OpticalCase, SolvesToTheSameRadiances) {
 
 TEST(OpticalCase, HoldsTheAirsDepths) {
   AtmosphereOptions options;
-  options.ground_albedo = GroundAlbedo::load("grass");
-  const Atmosphere air(load_profile("ussa1976"), options);
+  options.ground_albedo = GroundAlbedo::load(test::context, "grass");
+  const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), options);
   const auto document = optical_case(air, request());
   double rayleigh = 0.0;
   double aerosol = 0.0;
@@ -54,7 +55,8 @@ TEST(OpticalCase, HoldsTheAirsDepths) {
 TEST(OpticalCase, WithoutAerosolThereAreNoMoments) {
   OpticalCaseRequest clear = request();
   clear.aod500 = 0.0;
-  const auto document = optical_case(Atmosphere(load_profile("ussa1976"), {}), clear);
+  const auto document =
+      optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), clear);
   EXPECT_FALSE(document["layers"][0].contains("phase_moments_aerosol"));
   EXPECT_NO_THROW(solve_case(document, "case", {}));
 }
@@ -62,15 +64,19 @@ TEST(OpticalCase, WithoutAerosolThereAreNoMoments) {
 TEST(OpticalCase, TermsAreChosenByNumber) {
   OpticalCaseRequest chosen = request();
   chosen.absorption_term = 1;
-  EXPECT_EQ(optical_case(Atmosphere(load_profile("ussa1976"), {}), chosen)["absorption_term_weight"], 1.0);
+  EXPECT_EQ(optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}),
+                         chosen)["absorption_term_weight"],
+            1.0);
   chosen.absorption_term = 2;
-  EXPECT_THROW(optical_case(Atmosphere(load_profile("ussa1976"), {}), chosen), InputError);
+  EXPECT_THROW(optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), chosen),
+               InputError);
 }
 
 // Moments stand instead of the asymmetry; a wrong list or depolarisation is named.
 TEST(OpticalCase, SolveRefusesBrokenMoments) {
   const auto refused = [](const auto& spoil, const std::string& named) {
-    auto document = optical_case(Atmosphere(load_profile("ussa1976"), {}), request());
+    auto document =
+        optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), request());
     spoil(document);
     try {
       solve_case(document, "case.json", {});

@@ -8,12 +8,13 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
 
 const ColourMatching& matching() {
-  static const ColourMatching loaded = ColourMatching::load();
+  static const ColourMatching loaded = ColourMatching::load(test::context);
   return loaded;
 }
 

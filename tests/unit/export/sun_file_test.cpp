@@ -13,6 +13,7 @@ SunIrradiance two_wavelengths() {
   sun.sun = {60.0, 180.0};
   sun.beam_arrives = true;
   sun.extraterrestrial = {2.0, 1.9};
+  sun.luminous_weight = {1100.0, 1400.0};
   sun.direct_normal = {1.0, 0.5};
   sun.diffuse_horizontal = {0.25, 0.125};
   sun.transmittance = {{"rayleigh", {0.5, 0.25}}, {"aerosol", {1.0, 1.0}}};

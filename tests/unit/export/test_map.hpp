@@ -2,6 +2,7 @@
 
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/sky/sky_map.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 
@@ -13,7 +14,7 @@ inline SkyMap made_up_map(std::vector<Direction> directions) {
   map.sun = {45.0, 90.0};
   map.directions = std::move(directions);
   map.wavelengths = WavelengthGrid(400.0, 700.0, 50.0);
-  const ColourMatching matching = ColourMatching::load();
+  const ColourMatching matching = ColourMatching::load(test::context);
   for (std::size_t direction = 0; direction < map.directions.size(); ++direction) {
     std::vector<double> radiance;
     for (std::size_t i = 0; i < map.wavelengths.size(); ++i) {

@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <set>
 
+#include "support/test_context.hpp"
+
 namespace skylut {
 namespace {
 
 // Of 54 legible rows, 40 have impossible chromaticities (one of them, 0.55, 0.17, only just beyond the line
 // of purples), 43 have B > 0, and the 270 coefficients take 55 distinct values. docs/fit.md U2
 TEST(Utm2005, CountsOfTheErrata) {
-  const auto rows = load_utm2005();
+  const auto rows = load_utm2005(test::context);
   ASSERT_EQ(rows.size(), 54u);
-  const auto verdicts = judge_utm2005(rows, ColourMatching::load());
+  const auto verdicts = judge_utm2005(rows, ColourMatching::load(test::context));
   const auto count = [&](bool Utm2005Verdict::*failure) {
     return std::count_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.*failure; });
   };

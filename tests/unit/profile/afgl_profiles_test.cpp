@@ -4,6 +4,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/profile/profile.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -27,7 +28,7 @@ const Published kPublished[] = {
 
 TEST(AfglProfiles, Columns) {
   for (const Published& published : kPublished) {
-    const Profile profile = load_profile(published.name);
+    const Profile profile = load_profile(test::context, published.name);
     EXPECT_EQ(profile.temperature_K.front(), published.ground_K);
     EXPECT_EQ(profile.described_top_km, 100.0);
     EXPECT_NEAR(profile.quantities.front().ozone_atm_cm / published.ozone_atm_cm, 1.0, 0.02)
@@ -45,7 +46,7 @@ TEST(AfglProfiles, Columns) {
 // p/(kT).
 TEST(AfglProfiles, HydrostaticBalance) {
   for (const Published& published : kPublished) {
-    const Profile profile = load_profile(published.name);
+    const Profile profile = load_profile(test::context, published.name);
     const auto gravity = [](double z) { return kStandardGravity_m_s2 * std::pow(6371.0 / (6371.0 + z), 2); };
     for (const auto& [lower_km, upper_km] :
          {std::pair{0.0, 10.0}, std::pair{10.0, 30.0}, std::pair{30.0, 60.0}}) {
@@ -62,21 +63,21 @@ TEST(AfglProfiles, HydrostaticBalance) {
 
 // 1 km levels and the finer part between hold what AFGL-TR-86-0110 prints: figures at levels of both.
 TEST(AfglProfiles, Levels) {
-  const Profile tropical = load_profile("tropical");
+  const Profile tropical = load_profile(test::context, "tropical");
   EXPECT_NEAR(air_state(tropical, 17.0).temperature_K, 194.8, 1e-9);  // the cold tropopause
   EXPECT_NEAR(air_state(tropical, 30.0).pressure_hPa, 12.2, 1e-9);
   EXPECT_NEAR(interpolate_by_altitude(tropical, tropical.gas("water_vapour")->density_per_m3, 0.0), 6.353e23,
               1e19);
-  const Profile winter = load_profile("subarctic-winter");
+  const Profile winter = load_profile(test::context, "subarctic-winter");
   EXPECT_GT(air_state(winter, 1.0).temperature_K, air_state(winter, 0.0).temperature_K) << "inversion";
 }
 
 TEST(UpdateQuantities, FollowTheColumns) {
-  Profile profile = load_profile("tropical");
+  Profile profile = load_profile(test::context, "tropical");
   scale_gas_column(profile, "ozone", 300.0 * kDobsonUnit_per_m2);
   update_quantities(profile);
   EXPECT_NEAR(profile.quantities.front().ozone_atm_cm, 0.3, 1e-9);
-  Profile report = load_profile("utm2005");
+  Profile report = load_profile(test::context, "utm2005");
   const double printed = report.quantities.front().ozone_atm_cm;
   scale_gas_column(report, "ozone", 300.0 * kDobsonUnit_per_m2);
   update_quantities(report);
@@ -84,7 +85,7 @@ TEST(UpdateQuantities, FollowTheColumns) {
 }
 
 TEST(SurfacePressure, ScalesAirAndWellMixedGases) {
-  Profile profile = load_profile("tropical");
+  Profile profile = load_profile(test::context, "tropical");
   const Profile before = profile;
   scale_surface_pressure(profile, 0.8 * before.pressure_hPa.front());
   EXPECT_NEAR(air_column_per_m2(profile, 0.0, 100.0) / air_column_per_m2(before, 0.0, 100.0), 0.8, 1e-12);

@@ -7,6 +7,7 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -56,7 +57,7 @@ class ProfileFileTest : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
     try {
-      load_profile(write(text));
+      load_profile(test::context, write(text));
     } catch (const InputError& error) {
       const std::string message = error.what();
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -71,7 +72,7 @@ class ProfileFileTest : public testing::Test {
 };
 
 TEST_F(ProfileFileTest, LevelsInAnyOrderAndUnits) {
-  const Profile profile = load_profile(write(kValid));
+  const Profile profile = load_profile(test::context, write(kValid));
   EXPECT_EQ(profile.name, "mine");
   EXPECT_EQ(profile.described_top_km, 30.0);
   EXPECT_EQ(profile.altitude_km[1], 10.0);
@@ -89,8 +90,8 @@ TEST_F(ProfileFileTest, LevelsInAnyOrderAndUnits) {
 
 // Above its last level a short profile goes on with the standard's shape, joined without a step.
 TEST_F(ProfileFileTest, ShortProfileIsContinued) {
-  const Profile profile = load_profile(write(kValid));
-  const Profile standard = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, write(kValid));
+  const Profile standard = load_profile(test::context, "ussa1976");
   EXPECT_EQ(profile.altitude_km.back(), 100.0);
   EXPECT_EQ(profile.altitude_km.size(), profile.temperature_K.size());
   EXPECT_EQ(profile.altitude_km.size(), profile.relative_aerosol_extinction.size());
@@ -156,7 +157,7 @@ TEST_F(ProfileFileTest, BrokenSyntaxNamesTheLine) {
 TEST_F(ProfileFileTest, WhichProfile) {
   const auto message = [](const std::string& name) -> std::string {
     try {
-      load_profile(name);
+      load_profile(test::context, name);
     } catch (const InputError& error) {
       return error.what();
     }

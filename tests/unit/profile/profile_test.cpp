@@ -8,6 +8,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/quadrature.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -81,10 +82,10 @@ TEST(Profile, OutsideIsRefused) {
 }
 
 TEST(Profile, NamesAreThoseThatLoad) {
-  const std::vector<std::string> names = profile_names();
+  const std::vector<std::string> names = profile_names(test::context);
   EXPECT_NE(std::find(names.begin(), names.end(), "ussa1976"), names.end());
   EXPECT_NE(std::find(names.begin(), names.end(), "utm2005"), names.end());
-  for (const std::string& name : names) EXPECT_EQ(load_profile(name).name, name);
+  for (const std::string& name : names) EXPECT_EQ(load_profile(test::context, name).name, name);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/profile/profile.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -22,7 +23,7 @@ constexpr Row kTable[] = {
 };
 
 TEST(Table31, PrintedDigits) {
-  const Profile profile = load_profile("utm2005");
+  const Profile profile = load_profile(test::context, "utm2005");
   ASSERT_EQ(profile.quantities.size(), 16u);
   for (const Row& row : kTable) {
     const LevelQuantities& level = profile.quantities[static_cast<std::size_t>(row.z / 2.0)];
@@ -41,7 +42,7 @@ TEST(Table31, PrintedDigits) {
 
 // The ozone that light meets is eq. 3.12's: the column above every level of the report.
 TEST(Table31, OzoneDensityGivesEquation312) {
-  const Profile profile = load_profile("utm2005");
+  const Profile profile = load_profile(test::context, "utm2005");
   const GasProfile& ozone = *profile.gas("ozone");
   for (const LevelQuantities& level : profile.quantities)
     EXPECT_NEAR(gas_column_per_m2(profile, ozone, level.altitude_km, 100.0) / (1000.0 * kDobsonUnit_per_m2),
@@ -51,7 +52,7 @@ TEST(Table31, OzoneDensityGivesEquation312) {
 
 // Water comes from slopes of a logarithm on 2 km levels that changes at the printed ones: 10 %.
 TEST(Table31, WaterDensityGivesThePrintedColumn) {
-  const Profile profile = load_profile("utm2005");
+  const Profile profile = load_profile(test::context, "utm2005");
   const double molecules_per_cm = 1e4 * kAvogadro_per_mol / 18.01528;
   const double column =
       gas_column_per_m2(profile, *profile.gas("water_vapour"), 0.0, 30.0) / molecules_per_cm;
@@ -60,8 +61,8 @@ TEST(Table31, WaterDensityGivesThePrintedColumn) {
 
 // The sky above 30 km is real air.
 TEST(Table31, ContinuesToTheTop) {
-  const Profile profile = load_profile("utm2005");
-  const Profile standard = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "utm2005");
+  const Profile standard = load_profile(test::context, "ussa1976");
   EXPECT_EQ(profile.described_top_km, 30.0);
   EXPECT_EQ(profile.altitude_km.back(), 100.0);
   for (double z : {0.0, 10.0, 30.0, 35.0, 60.0, 99.0})

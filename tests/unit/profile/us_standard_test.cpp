@@ -5,6 +5,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/profile/profile.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -19,7 +20,7 @@ struct Published {
 // last is at most 1e-4), kinetic
 // temperature. Between 80 and 86 km ours is the molecular-scale temperature, up to 0.08 K higher.
 TEST(UsStandard1976, PublishedTable) {
-  const Profile profile = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "ussa1976");
   for (const Published& level : {Published{0, 288.150, 1013.25},
                                  {1, 281.651, 898.76},
                                  {5, 255.676, 540.48},
@@ -42,7 +43,7 @@ TEST(UsStandard1976, PublishedTable) {
 // Above 86 km the standard adds up diffusing species, ours is hydrostatic air of its mean molar mass:
 // 1.05 % more pressure at 100 km, above which a 3e-7th of the air remains.
 TEST(UsStandard1976, AboveTheLayers) {
-  const Profile profile = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "ussa1976");
   for (const Published& level :
        {Published{90, 186.87, 1.8359e-3}, {95, 188.42, 7.5966e-4}, {100, 195.08, 3.2011e-4}}) {
     EXPECT_NEAR(air_state(profile, level.altitude_km).temperature_K, level.temperature_K, 0.01)
@@ -54,7 +55,7 @@ TEST(UsStandard1976, AboveTheLayers) {
 
 // Hydrostatic air: N = ∫ N_A dp / (M g(z)) with the standard's decrease of gravity.
 TEST(UsStandard1976, AirColumnIsPressureOverWeight) {
-  const Profile profile = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "ussa1976");
   double column = 0.0;
   const auto gravity = [](double z) {
     return kStandardGravity_m_s2 * std::pow(6356.766 / (6356.766 + z), 2);
@@ -68,12 +69,12 @@ TEST(UsStandard1976, AirColumnIsPressureOverWeight) {
   }
   // The 1976 gas constant is 1.7e-5 above SI 2019's k N_A.
   EXPECT_NEAR(air_column_per_m2(profile, 0.0, 100.0) / column, 1.0, 5e-5);
-// That is p0 N_A / (M g) with gravity at the mass-weighted mean altitude ∫ p dz / p0 = 7.3 km.
+  // That is p0 N_A / (M g) with gravity at the mass-weighted mean altitude ∫ p dz / p0 = 7.3 km.
   EXPECT_NEAR(column / (101325.0 * kAvogadro_per_mol / (28.9644e-3 * gravity(7.3))), 1.0, 1e-4);
 }
 
 TEST(UsStandard1976, GasColumns) {
-  const Profile profile = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "ussa1976");
   const auto column = [&](const char* gas) {
     return gas_column_per_m2(profile, *profile.gas(gas), 0.0, 100.0);
   };
@@ -86,7 +87,7 @@ TEST(UsStandard1976, GasColumns) {
 
 // Most ozone lies above 15 km, and the physical profile knows it.
 TEST(UsStandard1976, PhysicalQuantities) {
-  const Profile profile = load_profile("ussa1976");
+  const Profile profile = load_profile(test::context, "ussa1976");
   const auto& levels = profile.quantities;
   ASSERT_GT(levels.size(), 15u);
   EXPECT_NEAR(levels[0].ozone_atm_cm, 0.3438, 1e-9);

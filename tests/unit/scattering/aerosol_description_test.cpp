@@ -11,6 +11,7 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/quadrature.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -33,7 +34,7 @@ class AerosolFile : public testing::Test {
   // The message of the refusal.
   std::string refusal(const std::string& text) const {
     try {
-      load_aerosol_description(write(text));
+      load_aerosol_description(test::context, write(text));
     } catch (const InputError& error) {
       return error.what();
     }
@@ -50,8 +51,8 @@ const std::string kSmoke =
     "r_min_um = 0.01\nr_max_um = 5\nn = 1.5\nk = 0.02\n";
 
 TEST_F(AerosolFile, UsersParticles) {
-  const AerosolDescription aerosol =
-      load_aerosol_description(write(kHead + kSmoke + "[shape]\nscale_height_km = 3\nmixed_layer_km = 1\n"));
+  const AerosolDescription aerosol = load_aerosol_description(
+      test::context, write(kHead + kSmoke + "[shape]\nscale_height_km = 3\nmixed_layer_km = 1\n"));
   ASSERT_EQ(aerosol.components.size(), 1u);
   EXPECT_EQ(aerosol.components[0].size.sigma_g, 1.8);
   EXPECT_EQ(aerosol.components[0].k, std::vector<double>{0.02});
@@ -87,15 +88,15 @@ TEST_F(AerosolFile, MistakesAreNamed) {
         {"water-soluble", "humidity_percent"});
   names(refusal(kHead + kSmoke + "[shape]\nscale_height_km = 30\n"), {"scale height", "30", "0.1-20"});
   names(refusal(kHead + kSmoke + "[stratosphere]\naerosol = 'x'\n"), {"stratosphere.aerosol", "x", "rural"});
-  EXPECT_THROW(load_aerosol_description("mars"), InputError);
-  EXPECT_THROW(load_aerosol_description("./none.toml"), InputError);
-  EXPECT_THROW(load_aerosol_description("rural", 80.0), InputError);
-  EXPECT_THROW(load_aerosol_description("urban", 99.5), InputError);
+  EXPECT_THROW(load_aerosol_description(test::context, "mars"), InputError);
+  EXPECT_THROW(load_aerosol_description(test::context, "./none.toml"), InputError);
+  EXPECT_THROW(load_aerosol_description(test::context, "rural", 80.0), InputError);
+  EXPECT_THROW(load_aerosol_description(test::context, "urban", 99.5), InputError);
 }
 
 TEST(AerosolDescription, PresetsCiteTheirSources) {
-  for (const std::string& name : aerosol_names()) {
-    const AerosolDescription aerosol = load_aerosol_description(name);
+  for (const std::string& name : aerosol_names(test::context)) {
+    const AerosolDescription aerosol = load_aerosol_description(test::context, name);
     EXPECT_EQ(aerosol.name, name);
     EXPECT_FALSE(aerosol.source.empty()) << name;
     EXPECT_EQ(aerosol.components.empty(), aerosol.optics.has_value()) << name;
@@ -109,13 +110,17 @@ TEST(AerosolDescription, PresetsCiteTheirSources) {
 // OPAC's water-soluble particles: 0.0306 µm at 80 %, 0.0348 µm at 90 %; halfway, the geometric mean.
 TEST(AerosolDescription, ParticlesGrowWithHumidity) {
   const auto radius = [](double humidity) {
-    return load_aerosol_description("continental-clean", humidity).components[0].size.mode_radius_um;
+    return load_aerosol_description(test::context, "continental-clean", humidity)
+        .components[0]
+        .size.mode_radius_um;
   };
   EXPECT_EQ(radius(80.0), 0.0306);
   EXPECT_EQ(radius(90.0), 0.0348);
   EXPECT_NEAR(radius(85.0), std::sqrt(0.0306 * 0.0348), 1e-12);
-  const AerosolComponent dry = load_aerosol_description("continental-clean", 0.0).components[0];
-  const AerosolComponent wet = load_aerosol_description("continental-clean", 99.0).components[0];
+  const AerosolComponent dry =
+      load_aerosol_description(test::context, "continental-clean", 0.0).components[0];
+  const AerosolComponent wet =
+      load_aerosol_description(test::context, "continental-clean", 99.0).components[0];
   EXPECT_GT(dry.n[5], 1.52);
   EXPECT_LT(wet.n[5], 1.36);  // nearly water, 1.333
 }

@@ -7,6 +7,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/scattering/aerosol_optics.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -28,7 +29,7 @@ TEST(AerosolPresets, OpacTable4) {
                                      {"maritime-clean", 0.997, 0.772, 0.12, 0.08},
                                      {"maritime-polluted", 0.975, 0.756, 0.41, 0.35}};
   for (const Published& published : table) {
-    const AerosolOptics optics = load_aerosol(published.name);
+    const AerosolOptics optics = load_aerosol(test::context, published.name);
     // Rounded in print, computed with another step of radius.
     EXPECT_NEAR(optics.single_scattering_albedo_at(550.0), published.albedo, 0.001) << published.name;
     EXPECT_NEAR(optics.asymmetry_at(550.0), published.asymmetry, 0.002) << published.name;
@@ -41,7 +42,7 @@ TEST(AerosolPresets, OpacTable4) {
 
 // Shettle and Fenn 1979, rural at 70 % humidity: extinction relative to 550 nm, albedo, asymmetry.
 TEST(AerosolPresets, RuralIsShettleAndFenns) {
-  const AerosolOptics rural = load_aerosol("rural");
+  const AerosolOptics rural = load_aerosol(test::context, "rural");
   const std::vector<std::array<double, 4>> published{{300.0, 1.74165, 0.9379, 0.6928},
                                                      {337.1, 1.59981, 0.9521, 0.6865},
                                                      {550.0, 1.0, 0.9462, 0.6630},
@@ -57,7 +58,7 @@ TEST(AerosolPresets, RuralIsShettleAndFenns) {
 // Preetham, Shirley and Smits 1999, table 1: η is ∫ (i1 + i2) x^-4 dx / …, and K its integral: p = 2 η / K.
 // Table 2 gives K, by which their extinction goes as K / λ².
 TEST(AerosolPresets, PreethamsTablesComeBack) {
-  const AerosolOptics haze = load_aerosol("preetham");
+  const AerosolOptics haze = load_aerosol(test::context, "preetham");
   const std::array<double, 4> nm{400.0, 450.0, 550.0, 650.0};
   const std::array<double, 4> k{0.656, 0.666, 0.678, 0.685};
   const std::vector<std::array<double, 5>> eta{
@@ -78,8 +79,8 @@ TEST(AerosolPresets, PreethamsTablesComeBack) {
 }
 
 TEST(AerosolPresets, MomentsAndPhaseFunctionsAgree) {
-  for (const std::string& name : aerosol_names()) {
-    const AerosolOptics optics = load_aerosol(name);
+  for (const std::string& name : aerosol_names(test::context)) {
+    const AerosolOptics optics = load_aerosol(test::context, name);
     for (const double nm : {300.0, 425.0, 550.0, 780.0, 1000.0}) {
       const auto phase = optics.phase_function(nm);
       EXPECT_NEAR(phase->moment(0), 1.0, 1e-12) << name;
@@ -93,7 +94,7 @@ TEST(AerosolPresets, MomentsAndPhaseFunctionsAgree) {
 
 // The stratospheric layer has its own optics, and turbidity is the column of both.
 TEST(AerosolPresets, TotalColumnHoldsTheStratosphere) {
-  const AerosolOptics rural = load_aerosol("rural");
+  const AerosolOptics rural = load_aerosol(test::context, "rural");
   ASSERT_TRUE(rural.stratosphere);
   EXPECT_EQ(rural.stratosphere->name, "stratospheric-background");
   EXPECT_NEAR(rural.depth(500.0, 0.1), 0.1, 1e-15);

@@ -11,6 +11,7 @@
 #include "skylut/scattering/aerosol_optics.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
 #include "skylut/scattering/tabulated_phase_function.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -80,8 +81,8 @@ TEST(ParticleOptics, ConvergedOverSizes) {
        1e-4},
       {{lognormal(20, 0.416, 2.03, 40, 1.36, 4e-9)}, 5e-4}};
   for (const auto& [components, tolerance] : mixtures) {
-    const ParticleOptics coarse = particle_optics(components, {550.0}).front();
-    const ParticleOptics fine = particle_optics(components, {550.0}, 8.0).front();
+    const ParticleOptics coarse = particle_optics(test::context, components, {550.0}).front();
+    const ParticleOptics fine = particle_optics(test::context, components, {550.0}, 8.0).front();
     EXPECT_NEAR(coarse.extinction_um2 / fine.extinction_um2, 1.0, tolerance);
     EXPECT_NEAR(coarse.scattering_um2 / coarse.extinction_um2, fine.scattering_um2 / fine.extinction_um2,
                 tolerance);
@@ -94,7 +95,7 @@ TEST(ParticleOptics, ConvergedOverSizes) {
 TEST(ParticleOptics, NarrowDistributionIsOneSphere) {
   AerosolComponent component = lognormal(1.0, 0.3, 1.01, 0.32, 1.5, 0.02);
   component.size.r_min_um = 0.28;
-  const ParticleOptics optics = particle_optics({component}, {500.0}).front();
+  const ParticleOptics optics = particle_optics(test::context, {component}, {500.0}).front();
   const MieSphere sphere(2.0 * kPi * 0.3 / 0.5, {1.5, 0.02});
   // A spread of 1 % in radius: second order, some 1e-3.
   EXPECT_NEAR(optics.extinction_um2 / (kPi * 0.09 * sphere.q_ext()), 1.0, 2e-3);
@@ -105,10 +106,12 @@ TEST(ParticleOptics, NarrowDistributionIsOneSphere) {
 // % of Mie's theory there.
 TEST(ParticleOptics, BetweenWavelengths) {
   for (const char* name : {"rural", "continental-average"}) {
-    const AerosolOptics aerosol = load_aerosol(name);
+    const AerosolOptics aerosol = load_aerosol(test::context, name);
     for (const double nm : {425.0, 575.0, 850.0}) {
       const ParticleOptics there =
-          particle_optics(load_aerosol_description(name).components, {500.0, nm}).back();
+          particle_optics(test::context, load_aerosol_description(test::context, name).components,
+                          {500.0, nm})
+              .back();
       const TabulatedPhaseFunction exact(there.moments);
       const auto mixed = aerosol.phase_function(nm);
       for (double angle_deg = 0.0; angle_deg <= 180.0; angle_deg += 0.5) {
@@ -126,7 +129,7 @@ TEST(TabulatedPhaseFunction, LooksUpTheSeries) {
   const std::vector<AerosolComponent> dust{lognormal(269.5, 0.07, 1.95, 20, 1.53, 0.0055),
                                            lognormal(30.5, 0.39, 2.0, 20, 1.53, 0.0055),
                                            lognormal(0.142, 1.9, 2.15, 60, 1.53, 0.0055)};
-  const ParticleOptics optics = particle_optics(dust, {400.0}).front();
+  const ParticleOptics optics = particle_optics(test::context, dust, {400.0}).front();
   const TabulatedPhaseFunction table(optics.moments);
   const LegendrePhaseFunction series(optics.moments);
   double worst = 0.0;

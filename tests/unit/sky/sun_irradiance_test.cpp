@@ -9,13 +9,14 @@
 #include "skylut/core/errors.hpp"
 #include "skylut/transfer/direct_beam.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
 
 SkyScene scene_at(double sun_zenith_deg, double aod500 = 0.2) {
   SkyScene scene;
-  scene.profile = load_profile("ussa1976");
+  scene.profile = load_profile(test::context, "ussa1976");
   scene.altitudes_km = {0.0};
   scene.turbidities = {{TurbidityKind::aod500, aod500}};
   scene.suns = {{sun_zenith_deg, 180.0}};
@@ -68,8 +69,8 @@ TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
   for (const double sun_deg : {0.0, 48.236, 75.0}) {
     SkyScene scene = scene_at(sun_deg);
     scene.air.planet_radius_km = 1e7;
-    const SunIrradiance sun = simulate_sun(scene, {}, {});
-    const Atmosphere air(scene.profile, scene.air);
+    const SunIrradiance sun = simulate_sun(test::context, scene, {}, {});
+    const Atmosphere air(test::context, scene.profile, scene.air);
     for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
       double expected = 0.0;
       for (const ColumnTerm& term :
@@ -93,11 +94,11 @@ TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
 TEST(SunIrradiance, DirectBeamIsTheProductOfTransmittances) {
   SkyScene scene = scene_at(80.0);
   scene.altitudes_km = {6.0};
-  const SunIrradiance sun = simulate_sun(scene, {false, 0.0}, {});
+  const SunIrradiance sun = simulate_sun(test::context, scene, {false, 0.0}, {});
   EXPECT_TRUE(sun.beam_arrives);
   EXPECT_TRUE(sun.diffuse_horizontal.empty());
   EXPECT_TRUE(sun.global_horizontal().empty());
-  const Atmosphere air(scene.profile, scene.air);
+  const Atmosphere air(test::context, scene.profile, scene.air);
   const auto path = beam_path_factors(air.shells(), 6.0, 80.0);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     double product = sun.extraterrestrial[i];
@@ -116,8 +117,8 @@ TEST(SunIrradiance, DirectBeamIsTheProductOfTransmittances) {
 TEST(SunIrradiance, TheColumnsOfTheSkyTransmitTheSameBeam) {
   SkyScene scene = scene_at(60.0);
   scene.wavelengths = WavelengthGrid(450.0, 750.0, 5.0);
-  const SunIrradiance sun = simulate_sun(scene, {false, 0.0}, {});
-  const Atmosphere air(scene.profile, scene.air);
+  const SunIrradiance sun = simulate_sun(test::context, scene, {false, 0.0}, {});
+  const Atmosphere air(test::context, scene.profile, scene.air);
   const auto path = beam_path_factors(air.shells(), 0.0, 60.0);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     const double wavelength_nm = scene.wavelengths[i];
@@ -130,7 +131,7 @@ TEST(SunIrradiance, TheColumnsOfTheSkyTransmitTheSameBeam) {
 }
 
 TEST(SunIrradiance, GlobalIsDirectOnTheHorizontalAndDiffuse) {
-  const SunIrradiance sun = simulate_sun(scene_at(60.0), {}, {});
+  const SunIrradiance sun = simulate_sun(test::context, scene_at(60.0), {}, {});
   const std::vector<double> global = sun.global_horizontal();
   for (std::size_t i = 0; i < global.size(); ++i)
     EXPECT_NEAR(global[i], 0.5 * sun.direct_normal[i] + sun.diffuse_horizontal[i], 1e-12);
@@ -140,12 +141,12 @@ TEST(SunIrradiance, GlobalIsDirectOnTheHorizontalAndDiffuse) {
 TEST(SunIrradiance, TwilightFromAHeight) {
   SkyScene scene = scene_at(92.0);
   scene.altitudes_km = {12.0};
-  const SunIrradiance risen = simulate_sun(scene, {}, {});
+  const SunIrradiance risen = simulate_sun(test::context, scene, {}, {});
   EXPECT_TRUE(risen.beam_arrives);
   EXPECT_GT(risen.direct_normal.back(), 0.0);
   EXPECT_EQ(risen.global_horizontal(), risen.diffuse_horizontal);
   scene.suns = {{94.0, 0.0}};
-  const SunIrradiance set = simulate_sun(scene, {}, {});
+  const SunIrradiance set = simulate_sun(test::context, scene, {}, {});
   EXPECT_FALSE(set.beam_arrives);
   EXPECT_EQ(set.direct_normal.back(), 0.0);
   EXPECT_EQ(set.transmittance.front().band_mean.back(), 0.0);
@@ -155,8 +156,8 @@ TEST(SunIrradiance, TwilightFromAHeight) {
 // Light around the sun: between nothing and the whole sky, and more from a wider cone.
 TEST(SunIrradiance, CircumsolarLight) {
   const SkyScene scene = scene_at(45.0);
-  const SunIrradiance narrow = simulate_sun(scene, {true, 1.0}, {});
-  const SunIrradiance wide = simulate_sun(scene, {true, 2.9}, {});
+  const SunIrradiance narrow = simulate_sun(test::context, scene, {true, 1.0}, {});
+  const SunIrradiance wide = simulate_sun(test::context, scene, {true, 2.9}, {});
   EXPECT_EQ(narrow.diffuse_horizontal, wide.diffuse_horizontal);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     EXPECT_GT(narrow.circumsolar_normal[i], 0.0);
@@ -169,12 +170,12 @@ TEST(SunIrradiance, CircumsolarLight) {
 
 TEST(SunIrradiance, DistanceAndThreads) {
   SkyScene scene = scene_at(45.0);
-  TransferOptions one;
+  Context one = test::context;
   one.threads = 1;
-  const SunIrradiance mean = simulate_sun(scene, {}, one);
-  EXPECT_EQ(simulate_sun(scene, {}, {}).diffuse_horizontal, mean.diffuse_horizontal);
+  const SunIrradiance mean = simulate_sun(one, scene, {}, {});
+  EXPECT_EQ(simulate_sun(test::context, scene, {}, {}).diffuse_horizontal, mean.diffuse_horizontal);
   scene.sun_distance_au = 1.02;
-  const SunIrradiance far = simulate_sun(scene, {}, one);
+  const SunIrradiance far = simulate_sun(one, scene, {}, {});
   EXPECT_NEAR(mean.direct_normal[0] / far.direct_normal[0], 1.02 * 1.02, 1e-12);
   EXPECT_NEAR(mean.diffuse_horizontal[0] / far.diffuse_horizontal[0], 1.02 * 1.02, 1e-12);
 }
@@ -184,14 +185,14 @@ TEST(SunIrradiance, DistanceAndThreads) {
 TEST(SunIrradiance, SolarIlluminanceConstant) {
   SkyScene scene = scene_at(0.0);
   scene.wavelengths = WavelengthGrid::visible();
-  const SunIrradiance sun = simulate_sun(scene, {false, 0.0}, {});
-  EXPECT_NEAR(illuminance_lux(sun.extraterrestrial, sun.wavelengths), 133.1e3, 0.2e3);
+  const SunIrradiance sun = simulate_sun(test::context, scene, {false, 0.0}, {});
+  EXPECT_NEAR(illuminance_lux(sun.extraterrestrial, sun.luminous_weight), 133.1e3, 0.2e3);
   EXPECT_NEAR(broadband_W_m2(sun.extraterrestrial, sun.wavelengths), 662.0, 0.5);
 }
 
 TEST(SunIrradiance, RefusesWhatItCannotDo) {
   const auto refused = [](const SkyScene& scene, const SunIrradianceOptions& options) {
-    EXPECT_THROW(simulate_sun(scene, options, {}), InputError);
+    EXPECT_THROW(simulate_sun(test::context, scene, options, {}), InputError);
   };
   refused(scene_at(97.0), {});
   refused(scene_at(181.0), {false, 0.0});
@@ -202,7 +203,7 @@ TEST(SunIrradiance, RefusesWhatItCannotDo) {
   SkyScene high = scene_at(45.0);
   high.altitudes_km = {31.0};
   refused(high, {});
-  EXPECT_NO_THROW(simulate_sun(scene_at(97.0), {false, 0.0}, {}));
+  EXPECT_NO_THROW(simulate_sun(test::context, scene_at(97.0), {false, 0.0}, {}));
 }
 
 }  // namespace

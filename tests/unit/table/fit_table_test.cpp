@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "skylut/core/errors.hpp"
+#include "support/test_context.hpp"
 #include "test_maps.hpp"
 
 namespace skylut {
@@ -16,7 +17,7 @@ void expect_near(const PerezCoefficients& found, const PerezCoefficients& expect
 
 TEST(FitTable, KnownSkiesComeBackInTheirRows) {
   const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(12.0, {45.0, 90.0})};
-  const SkyTable table = fit_table(maps, {}, 1);
+  const SkyTable table = fit_table(test::context, maps, {});
   ASSERT_EQ(table.entries.size(), 2u);
   ASSERT_EQ(table.fits.size(), 2u);
   for (std::size_t row = 0; row < 2; ++row) {
@@ -37,11 +38,16 @@ TEST(FitTable, ThreadsChangeNothing) {
   const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(6.0, {30.0, 0.0}),
                                  perez_map(12.0, {80.0, 200.0})};
   std::size_t last_done = 0;
-  const SkyTable one = fit_table(maps, {}, 1);
-  const SkyTable three = fit_table(maps, {}, 3, [&](std::size_t done, std::size_t all) {
+  Context context = test::context;
+  context.threads = 1;
+  const SkyTable one = fit_table(context, maps, {});
+  context.threads = 3;
+  context.progress = [&](std::string_view stage, std::size_t done, std::size_t all) {
+    EXPECT_EQ(stage, "fitting");
     EXPECT_EQ(all, 3u);
     EXPECT_EQ(done, ++last_done);
-  });
+  };
+  const SkyTable three = fit_table(context, maps, {});
   EXPECT_EQ(one.entries, three.entries);
   EXPECT_EQ(last_done, 3u);
 }
@@ -50,7 +56,7 @@ TEST(FitTable, ASkyThatCannotBeFittedIsNamedByItsRow) {
   std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(12.0, {45.0, 90.0})};
   maps[1].colour[17].Y = 0.0;
   try {
-    fit_table(maps, {}, 1);
+    fit_table(test::context, maps, {});
     FAIL() << "a black direction has no relative residual";
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).find("row 2 (altitude 12 km, turbidity 0.5, sun 45:90): "), 0u);

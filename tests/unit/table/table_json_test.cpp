@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "skylut/core/version.hpp"
+#include "support/test_context.hpp"
 #include "test_maps.hpp"
 
 namespace skylut {
@@ -12,7 +13,7 @@ namespace {
 
 SkyScene scene() {
   SkyScene scene;
-  scene.profile = load_profile("ussa1976");
+  scene.profile = load_profile(test::context, "ussa1976");
   scene.air.ground_albedo = 0.15;
   scene.altitudes_km = {0.0};
   scene.turbidities = {{TurbidityKind::aod500, 0.5}};
@@ -25,7 +26,7 @@ std::string text() {
   const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0})};
   const TableOrigin origin{"skylut table --albedo 0.15", "draft", "uniform", "utm271",
                            Place{48.0, 2.0, 35.0}};
-  return table_json(fit_table(maps, {}, 1), scene(), origin);
+  return table_json(test::context, fit_table(test::context, maps, {}), scene(), origin);
 }
 
 TEST(TableJson, HoldsEveryInput) {
