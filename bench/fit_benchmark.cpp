@@ -4,16 +4,16 @@
 
 #include "skylut/fit/fit_sky.hpp"
 #include "skylut/sky/simulate_sky.hpp"
-#include "support/test_context.hpp"
+#include "support/test_atmosphere.hpp"
 
 namespace skylut {
 namespace {
 
 void fit_one_sky(benchmark::State& state) {
   const Direction sun{static_cast<double>(state.range(0)), 90.0};
-  const SkyScene scene{load_profile(test::context, "ussa1976"), {},    {0.0},
-                       {{TurbidityKind::aod500, 0.5}},          {sun}, directions_utm271(),
-                       WavelengthGrid(400.0, 700.0, 20.0)};
+  const SkyScene scene{
+      test::standard_atmosphere(),       {0.0}, {{TurbidityKind::aod500, 0.5}}, {sun}, directions_utm271(),
+      WavelengthGrid(400.0, 700.0, 20.0)};
   const SkyMap map = simulate_sky(test::context, scene, {}).front();
   for (auto _ : state) benchmark::DoNotOptimize(fit_sky(map.directions, map.colour, map.sun, {}));
 }

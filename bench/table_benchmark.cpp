@@ -4,18 +4,18 @@
 
 #include "skylut/sky/simulate_sky.hpp"
 #include "skylut/table/fit_table.hpp"
-#include "support/test_context.hpp"
+#include "support/test_atmosphere.hpp"
 
 namespace skylut {
 namespace {
 
 void default_table(benchmark::State& state) {
-  SkyScene scene{load_profile(test::context, "ussa1976"),
-                 {},
-                 {0.0, 6.0, 12.0, 20.0, 30.0},
-                 {{TurbidityKind::aod500, 0.0}, {TurbidityKind::aod500, 0.5}, {TurbidityKind::aod500, 1.0}},
-                 {{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}},
-                 directions_utm271()};
+  const SkyScene scene{
+      test::standard_atmosphere(),
+      {0.0, 6.0, 12.0, 20.0, 30.0},
+      {{TurbidityKind::aod500, 0.0}, {TurbidityKind::aod500, 0.5}, {TurbidityKind::aod500, 1.0}},
+      {{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}},
+      directions_utm271()};
   Context context = test::context;
   context.threads = static_cast<int>(state.range(0));
   for (auto _ : state) {

@@ -3,9 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "skylut/core/context.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -30,11 +33,28 @@ GroundAlbedo GroundAlbedo::load(const Context& context, const std::string& name_
   if (!names_a_csv_file(name_or_file)) {
     const std::vector<std::string> known = names(context);
     if (std::find(known.begin(), known.end(), name_or_file) == known.end())
-      throw InputError("ground albedo '{}': must be a number within 0-1, one of {}, or a .csv file",
+      throw InputError("ground albedo '{}': must be a number within 0 to 1, one of {}, or a .csv file",
                        name_or_file, fmt::join(known, ", "));
     path = context.data_file(std::string(kFolder) + "/" + name_or_file + ".csv").string();
   }
-  return {name_or_file, read_spectral_curve(path, "albedo", 0.0, 1.0)};
+  return {name_or_file, read_spectral_curve(path, "albedo", 0.0, 1.0), path};
+}
+
+GroundAlbedo GroundAlbedo::parse(const Context& context, const std::string& text) {
+  double number = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || stop != text.data() + text.size()) return load(context, text);
+  if (!domain::kAlbedo.holds(number))
+    throw InputError("ground albedo '{}': must be a number within {} to {}, one of {}, or a .csv file", text,
+                     domain::kAlbedo.lowest, domain::kAlbedo.highest, fmt::join(names(context), ", "));
+  return number;
+}
+
+nlohmann::ordered_json GroundAlbedo::describe() const {
+  if (!curve_) return value_;
+  std::vector<double> values;
+  for (const double nm : curve_->edges_nm()) values.push_back(curve_->at(nm));
+  return {{"name", name_}, {"wavelength_nm", curve_->edges_nm()}, {"albedo", values}};
 }
 
 void GroundAlbedo::validate() const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "spectral_table.hpp"
 
@@ -30,8 +31,11 @@ std::vector<std::string> SolarSpectrum::names() {
 }
 
 SolarSpectrum SolarSpectrum::load(const Context& context, const std::string& name_or_file) {
-  if (names_a_csv_file(name_or_file))
-    return SolarSpectrum(read_spectral_curve(name_or_file, "irradiance_W_m2_nm", 0.0, kMost_W_m2_nm));
+  if (names_a_csv_file(name_or_file)) {
+    SolarSpectrum spectrum(read_spectral_curve(name_or_file, "irradiance_W_m2_nm", 0.0, kMost_W_m2_nm));
+    spectrum.file_ = name_or_file;
+    return spectrum;
+  }
   for (const auto& [name, file] : kSpectra) {
     if (name_or_file != name) continue;
     std::vector<double> centre_nm;
@@ -40,7 +44,9 @@ SolarSpectrum SolarSpectrum::load(const Context& context, const std::string& nam
       centre_nm.push_back(row[0]);
       mean.push_back(row[1]);
     }
-    return {centre_nm, mean};
+    SolarSpectrum spectrum(centre_nm, mean);
+    spectrum.file_ = context.data_file(file).string();
+    return spectrum;
   }
   throw InputError("solar spectrum '{}': unknown name; expected {}, or a .csv file", name_or_file,
                    fmt::join(names(), ", "));

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "skylut/core/errors.hpp"
-#include "skylut/scattering/rayleigh.hpp"
 
 namespace skylut {
 
@@ -19,8 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr double kLeastTerm = 1e-7;
 constexpr int kMostMoments = 4000;
 
-ColumnTerm chosen_term(const Atmosphere& air, const OpticalCaseRequest& request) {
-  std::vector<ColumnTerm> terms = air.band_columns(request.wavelength_nm, request.band_nm, request.aod500);
+BandColumn chosen_term(const Atmosphere& air, const OpticalCaseRequest& request) {
+  std::vector<BandColumn> terms = air.band_columns({request.wavelength_nm, request.band_nm}, request.aod500);
   const int count = static_cast<int>(terms.size());
   if (!request.absorption_term && count > 1) {
     std::string list;
@@ -67,8 +66,8 @@ Json mixed_moments(std::span<const Scatterer> scatterers, std::size_t layer, dou
 // Vertical extinction depth by layer of all aerosols.
 std::vector<double> aerosol_depths(const Atmosphere& air, const OpticalCaseRequest& request) {
   std::vector<double> sum(air.shells().levels_km.size() - 1, 0.0);
-  for (const Constituent& constituent :
-       air.constituents(request.wavelength_nm, request.band_nm, request.aod500))
+  for (const ConstituentExtinction& constituent :
+       air.extinctions({request.wavelength_nm, request.band_nm}, request.aod500))
     if (constituent.name.find("aerosol") != std::string::npos)
       for (std::size_t layer = 0; layer < sum.size(); ++layer)
         sum[layer] += constituent.terms.front().depth[layer];
@@ -99,7 +98,7 @@ Json layers_json(const OpticalColumn& column, const std::vector<double>& aerosol
 }  // namespace
 
 Json optical_case(const Atmosphere& air, const OpticalCaseRequest& request) {
-  const ColumnTerm term = chosen_term(air, request);
+  const BandColumn term = chosen_term(air, request);
   Json results = Json::array();
   for (const RelativeView& view : request.views)
     results.push_back(
@@ -111,8 +110,7 @@ Json optical_case(const Atmosphere& air, const OpticalCaseRequest& request) {
           {"absorption_term_weight", term.weight},
           {"planet_radius_km", air.shells().planet_radius_km},
           {"levels_km", air.shells().levels_km},
-          {"rayleigh_depolarisation",
-           depolarisation_of_air(request.wavelength_nm, air.carbon_dioxide_fraction())},
+          {"rayleigh_depolarisation", air.depolarisation(request.wavelength_nm)},
           {"layers", layers_json(term.column, aerosol_depths(air, request))},
           {"albedo", term.column.ground_albedo},
           {"sun_zenith_deg", request.sun_zenith_deg},

@@ -112,13 +112,11 @@ struct ShowOptions {
 
 void show_aerosol(const ShowOptions& options) {
   const Context context = program_context();
-  const AerosolDescription description =
-      load_aerosol_description(context, options.name, options.humidity_percent);
-  const AerosolOptics optics = aerosol_optics(context, description);
+  const AerosolOptics optics = load_aerosol(context, options.name, options.humidity_percent);
   if (options.json)
-    fmt::print("{}\n", aerosol_json(description, optics).dump(2));
+    fmt::print("{}\n", aerosol_report_json(optics).dump(2));
   else
-    fmt::print("{}", aerosol_text(description, optics));
+    fmt::print("{}", aerosol_text(optics));
 }
 
 void add_show(CLI::App& aerosol) {

@@ -69,28 +69,47 @@ SkyScene scene_of(const Context& context, const MapOptions& options) {
   return scene;
 }
 
+std::string command_line(const MapOptions& options) {
+  std::string text = fmt::format("skylut map --altitude-km {} --turbidity {} {}", options.altitude_km,
+                                 options.turbidity, options.sun.command_line());
+  if (kind_of(options) == FileKind::csv)
+    text += fmt::format(" --directions {}", options.directions);
+  else
+    text += fmt::format(" --projection {} --size {} --channels {}", options.projection, options.size,
+                        options.channels);
+  return text + " " + options.scene.command_line();
+}
+
+Provenance provenance_of(const Context& context, const MapOptions& options, const SkyScene& scene) {
+  Provenance provenance = scene_provenance(context, scene, command_line(options));
+  provenance.describe("quality", options.scene.quality());
+  return provenance;
+}
+
 SkyMap simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
   Progress progress("solving the radiative transfer:");
   transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
   return simulate_sky(context, scene, transfer).front();
 }
 
-void print_facts(const Context& context, const SkyMap& map, const SkyScene& scene) {
+void print_facts(const SkyMap& map, const SkyScene& scene) {
   const auto darker = [](const Yxy& a, const Yxy& b) { return a.Y < b.Y; };
   const auto [darkest, brightest] = std::minmax_element(map.colour.begin(), map.colour.end(), darker);
   fmt::print("altitude {} km, sun {:.6g}:{:.6g} deg, {} directions, {} wavelengths\n", map.altitude_km,
              map.sun.zenith_deg, map.sun.azimuth_deg, map.directions.size(), map.wavelengths.size());
-  fmt::print("{}\n", turbidity_text(context, map.turbidity, scene));
+  fmt::print("{}\n", turbidity_text(map.turbidity, *scene.atmosphere));
   fmt::print("luminance {:.5g} to {:.5g} cd/m2\n", darkest->Y, brightest->Y);
 }
 
 void write_csv(const Context& context, const MapOptions& options, SkyScene scene,
                const TransferOptions& transfer) {
   scene.directions = directions_of(options.directions);
+  scene.directions_name = options.directions;
   require_writable_file("-o", options.out);
   const SkyMap map = simulate(context, scene, transfer);
-  write_text_atomically(options.out, sky_csv(map));
-  print_facts(context, map, scene);
+  const Provenance provenance = provenance_of(context, options, scene);
+  write_text_atomically(options.out, sky_csv(map, provenance));
+  print_facts(map, scene);
   fmt::print("wrote {}\n", options.out.string());
 }
 
@@ -100,10 +119,12 @@ void write_exr(const Context& context, const MapOptions& options, SkyScene scene
   const std::vector<SkyChannels> channels = parse_sky_channels(options.channels);
   for (const SkyChannels kind : channels) require_writable_file("-o", sky_exr_path(options.out, kind));
   scene.directions = projection->directions();
+  scene.directions_name = projection->name();
   const SkyMap map = simulate(context, scene, transfer);
+  const Provenance provenance = provenance_of(context, options, scene);
   for (const SkyChannels kind : channels)
-    write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind);
-  print_facts(context, map, scene);
+    write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind, provenance);
+  print_facts(map, scene);
   if (const std::size_t outside = count_outside_rec709(map); outside > 0)
     fmt::print("{} pixels have a colour outside Rec. 709: a negative R, G or B, kept as it is\n", outside);
   for (const SkyChannels kind : channels) fmt::print("wrote {}\n", sky_exr_path(options.out, kind).string());

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "program_context.hpp"
 #include "scene_options.hpp"
+#include "skylut/atmosphere/atmosphere_description.hpp"
 #include "skylut/atmosphere/turbidity.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/profile/profile.hpp"
@@ -37,20 +38,19 @@ struct ShowOptions {
   std::optional<double> pressure_hpa;
 };
 
-AtmosphereOptions air_options(const Context& context, const ShowOptions& options) {
-  AtmosphereOptions air;
-  air.ground_albedo = parse_albedo(context, options.albedo);
-  air.ozone_du = options.ozone_du;
-  air.water_cm = options.water_cm;
-  air.no2_du = options.no2_du;
-  air.surface_pressure_hPa = options.pressure_hpa;
-  air.aerosol = load_aerosol(context, options.aerosol, options.humidity_percent);
-  if (!options.latitude.empty()) {
-    const Place place = parse_place(options.latitude, options.longitude, options.height_m);
-    air.gravity_m_s2 = normal_gravity_m_s2(place);
-    air.planet_radius_km = radius_of_curvature_km(place);
-  }
-  return air;
+AtmosphereDescription atmosphere_of(const ShowOptions& options) {
+  AtmosphereDescription description;
+  description.profile = options.name;
+  description.aerosol = options.aerosol;
+  description.humidity_percent = options.humidity_percent;
+  description.ground_albedo = options.albedo;
+  description.ozone_du = options.ozone_du;
+  description.no2_du = options.no2_du;
+  description.water_cm = options.water_cm;
+  description.surface_pressure_hPa = options.pressure_hpa;
+  if (!options.latitude.empty())
+    description.place = parse_place(options.latitude, options.longitude, options.height_m);
+  return description;
 }
 
 void list_profiles() {
@@ -62,7 +62,7 @@ void list_profiles() {
 void show_profile(const ShowOptions& options) {
   const Context context = program_context();
   const TurbidityKind kind = parse_turbidity_kind(options.turbidity_kind);
-  const Atmosphere air(context, load_profile(context, options.name), air_options(context, options));
+  const Atmosphere air = build_atmosphere(context, atmosphere_of(options));
   const double aod500 = to_aod500({kind, options.turbidity}, air);
   if (options.json)
     fmt::print("{}\n", profile_json(air, aod500).dump(2));

@@ -64,7 +64,9 @@ void run(const CaseOptions& options) {
   request.views = parse_views(options.views);
   if (options.term_option->count() > 0) request.absorption_term = options.absorption_term;
   const Context context = program_context();
-  const Atmosphere air(context, load_profile(context, options.name), options.scene.air(context));
+  AtmosphereDescription description = options.scene.atmosphere();
+  description.profile = options.name;
+  const Atmosphere air = build_atmosphere(context, description);
   request.aod500 = to_aod500({options.scene.turbidity_kind(), options.turbidity}, air);
   if (!options.out.empty()) require_writable_file("-o", options.out);
   nlohmann::ordered_json document = optical_case(air, request);

@@ -75,6 +75,12 @@ std::string command_line(const CommandOptions& options) {
   return text + " " + options.scene.command_line();
 }
 
+Provenance provenance_of(const Context& context, const CommandOptions& options, const SkyScene& scene) {
+  Provenance provenance = scene_provenance(context, scene, command_line(options));
+  provenance.describe("quality", options.scene.quality());
+  return provenance;
+}
+
 SunIrradiance simulate(const Context& context, const SkyScene& scene, const CommandOptions& options,
                        TransferOptions transfer) {
   Progress progress("solving the radiative transfer:");
@@ -88,11 +94,11 @@ void print_line(const char* what, const std::vector<double>& irradiance, const S
              illuminance_lux(irradiance, sun.luminous_weight));
 }
 
-void print_facts(const Context& context, const SunIrradiance& sun, const SkyScene& scene) {
+void print_facts(const SunIrradiance& sun, const SkyScene& scene) {
   const Direction& direction = sun.sun;
   fmt::print("sun {:.4f} deg from the zenith, azimuth {:.4f} deg, {:.5f} au away, seen from {} km\n",
              direction.zenith_deg, direction.azimuth_deg, scene.sun_distance_au, scene.altitudes_km[0]);
-  fmt::print("{}\n", turbidity_text(context, scene.turbidities[0], scene));
+  fmt::print("{}\n", turbidity_text(scene.turbidities[0], *scene.atmosphere));
   if (!sun.beam_arrives) fmt::print("the ground hides the sun: no direct beam\n");
   const double half_nm = 0.5 * sun.wavelengths.step_nm();
   fmt::print("sums over {}-{} nm\n", sun.wavelengths.first_nm() - half_nm,
@@ -136,9 +142,8 @@ void run(const CommandOptions& options) {
   if (kind == FileKind::csv) write_text_atomically(options.out, sun_csv(sun));
   if (kind == FileKind::json)
     write_text_atomically(options.out,
-                          sun_json(sun, {command_line(options), options.model, options.altitude_km,
-                                         scene.turbidities[0], scene.sun_distance_au, scene.solar}));
-  print_facts(context, sun, scene);
+                          sun_json(sun, scene, options.model, provenance_of(context, options, scene)));
+  print_facts(sun, scene);
   if (kind == FileKind::none)
     print_table(sun);
   else

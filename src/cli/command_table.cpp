@@ -65,6 +65,7 @@ SkyScene scene_of(const Context& context, const TableOptions& options) {
   scene.suns = parse_suns(options.suns);
   require_different("--suns", scene.suns, options.suns);
   scene.directions = directions_utm271();
+  scene.directions_name = "utm271";
   return scene;
 }
 
@@ -72,6 +73,13 @@ std::string command_line(const TableOptions& options) {
   return fmt::format("skylut table --altitudes-km {} --turbidities {} --suns {} --weights {} {}",
                      fmt::join(options.altitudes_km, ","), fmt::join(options.turbidities, ","), options.suns,
                      options.weights, options.scene.command_line());
+}
+
+Provenance provenance_of(const Context& context, const TableOptions& options, const SkyScene& scene) {
+  Provenance provenance = scene_provenance(context, scene, command_line(options));
+  provenance.describe("quality", options.scene.quality());
+  provenance.describe("weights", options.weights);
+  return provenance;
 }
 
 void require_writable_outputs(const TableOptions& options) {
@@ -83,10 +91,10 @@ void require_writable_outputs(const TableOptions& options) {
   require_writable_file("--out", options.out / "table.json");
 }
 
-void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps) {
+void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps, const Provenance& provenance) {
   create_folder(folder);
   for (std::size_t i = 0; i < maps.size(); ++i)
-    write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i]));
+    write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i], provenance));
 }
 
 std::vector<SkyMap> simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
@@ -114,14 +122,13 @@ void run(const TableOptions& options) {
   const SkyTable table = fit(context, maps, fit_options);
 
   create_folder(options.out);
-  if (options.save_maps) write_maps(options.out / "maps", maps);
-  const TableOrigin origin{command_line(options), options.scene.quality(), options.weights, "utm271",
-                           options.scene.place()};
-  write_text_atomically(options.out / "table.json", table_json(context, table, scene, origin));
+  const Provenance provenance = provenance_of(context, options, scene);
+  if (options.save_maps) write_maps(options.out / "maps", maps, provenance);
+  write_text_atomically(options.out / "table.json", table_json(table, scene.directions, provenance));
   write_table_csv(options.out / "table.csv", table.entries);
 
   for (const Turbidity& turbidity : scene.turbidities)
-    fmt::print("{}\n", turbidity_text(context, turbidity, scene));
+    fmt::print("{}\n", turbidity_text(turbidity, *scene.atmosphere));
   fmt::print("\n{}", table_summary(table, std::string(turbidity_kind_name(options.scene.turbidity_kind()))));
   fmt::print("wrote {} and table.json{}\n", (options.out / "table.csv").string(),
              options.save_maps ? fmt::format(", {} maps in maps", maps.size()) : "");

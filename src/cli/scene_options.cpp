@@ -137,26 +137,25 @@ TurbidityKind SceneOptions::turbidity_kind() const { return parse_turbidity_kind
 SkyScene SceneOptions::scene(const Context& context) const {
   SkyScene scene;
   scene.wavelengths = WavelengthGrid::parse(wavelengths_);
-  scene.air = air(context);
-  scene.profile = load_profile(context, profile_);
+  scene.atmosphere = std::make_shared<const Atmosphere>(build_atmosphere(context, atmosphere()));
+  scene.place = place();
   scene.solar = solar_;
   if (has_date()) scene.sun_distance_au = earth_sun_distance_au(parse_date(date_));
   return scene;
 }
 
-AtmosphereOptions SceneOptions::air(const Context& context) const {
-  AtmosphereOptions air;
-  air.ground_albedo = parse_albedo(context, albedo_);
-  air.aerosol = load_aerosol(context, aerosol_, humidity_percent_);
-  air.ozone_du = ozone_du_;
-  air.water_cm = water_cm_;
-  air.no2_du = no2_du_;
-  air.surface_pressure_hPa = surface_pressure_hPa_;
-  if (const std::optional<Place> where = place()) {
-    air.gravity_m_s2 = normal_gravity_m_s2(*where);
-    air.planet_radius_km = radius_of_curvature_km(*where);
-  }
-  return air;
+AtmosphereDescription SceneOptions::atmosphere() const {
+  AtmosphereDescription description;
+  description.profile = profile_;
+  description.aerosol = aerosol_;
+  description.humidity_percent = humidity_percent_;
+  description.ground_albedo = albedo_;
+  description.ozone_du = ozone_du_;
+  description.no2_du = no2_du_;
+  description.water_cm = water_cm_;
+  description.surface_pressure_hPa = surface_pressure_hPa_;
+  description.place = place();
+  return description;
 }
 
 TransferOptions SceneOptions::transfer() const {
@@ -182,19 +181,9 @@ std::string SceneOptions::air_command_line() const {
   if (no2_du_) text += fmt::format(" --no2-du {}", *no2_du_);
   if (surface_pressure_hPa_) text += fmt::format(" --pressure-hpa {}", *surface_pressure_hPa_);
   if (const std::optional<Place> where = place())
-    text += fmt::format(" --latitude={} --longitude={} --height-m={}", where->latitude_deg,
+    text += fmt::format(" --latitude {} --longitude {} --height-m {}", where->latitude_deg,
                         where->longitude_deg, where->height_m);
   return text;
-}
-
-GroundAlbedo parse_albedo(const Context& context, const std::string& text) {
-  const bool is_number = !text.empty() && text.find_first_not_of("+-.eE0123456789") == std::string::npos;
-  if (is_number) return parse_number("--albedo", text, {0.0, 1.0, ""});
-  try {
-    return GroundAlbedo::load(context, text);
-  } catch (const InputError& error) {
-    throw InputError("--albedo: {}", error.what());
-  }
 }
 
 Direction parse_sun(const std::string& text) {
@@ -211,8 +200,7 @@ std::vector<Direction> parse_suns(const std::string& text) {
   return suns;
 }
 
-std::string turbidity_text(const Context& context, const Turbidity& turbidity, const SkyScene& scene) {
-  const Atmosphere air(context, scene.profile, scene.air);
+std::string turbidity_text(const Turbidity& turbidity, const Atmosphere& air) {
   const double aod500 = to_aod500(turbidity, air);
   std::string text = fmt::format("{} {}", turbidity_kind_name(turbidity.kind), turbidity.value);
   for (const TurbidityKind kind : turbidity_kinds())

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "skylut/atmosphere/atmosphere_description.hpp"
 #include "skylut/site/place.hpp"
 #include "skylut/sky/simulate_sky.hpp"
 
@@ -31,8 +32,8 @@ class SceneOptions {
   std::optional<Place> place() const;  ///< @throws InputError if it is no place
   TurbidityKind turbidity_kind() const;
   bool turbidity_kind_given() const { return turbidity_kind_given_; }
-  /// The air of those options, for a profile that is named elsewhere. @throws InputError as scene()
-  AtmosphereOptions air(const Context& context) const;
+  /// What the options say of the atmosphere. @throws InputError if the place is none
+  AtmosphereDescription atmosphere() const;
   bool has_date() const { return !date_.empty(); }
   bool has_longitude() const { return !longitude_.empty(); }
   const std::string& quality() const { return quality_; }
@@ -64,9 +65,6 @@ class SceneOptions {
   int threads_ = 0;
 };
 
-/// A ground albedo: a number within 0-1, a preset's name or a CSV file. @throws InputError naming the text
-GroundAlbedo parse_albedo(const Context& context, const std::string& text);
-
 /// A sun as "Z:A", zenith angle and azimuth in degrees. @throws InputError naming the text
 Direction parse_sun(const std::string& text);
 
@@ -74,7 +72,7 @@ Direction parse_sun(const std::string& text);
 std::vector<Direction> parse_suns(const std::string& text);
 
 /// One turbidity in all kinds, as far as they exist: "aod500 0.1 = aod550 0.0883 = …".
-std::string turbidity_text(const Context& context, const Turbidity& turbidity, const SkyScene& scene);
+std::string turbidity_text(const Turbidity& turbidity, const Atmosphere& atmosphere);
 
 /// What sun zenith angles, azimuths and observers' altitudes may be.
 inline constexpr double kLowestSun_deg = 96.0;

@@ -41,6 +41,7 @@ void SunOption::put_into(SkyScene& scene, const SceneOptions& place, double lowe
     throw InputError("--time {}: the sun is {:.2f} deg from the zenith, must be at most {} deg", time_,
                      sun.zenith_deg, lowest_sun_deg);
   scene.suns = {sun};
+  scene.time = time_;
   scene.sun_distance_au = earth_sun_distance_au(time);
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/errors.hpp"
@@ -86,7 +87,8 @@ std::string spectral_channel(double wavelength_nm) {
   return name;
 }
 
-void describe(Imf::Header& header, const SkyMap& map, const Projection& projection) {
+void describe(Imf::Header& header, const SkyMap& map, const Projection& projection,
+              const Provenance& provenance) {
   const auto text = [&header](const char* name, const std::string& value) {
     header.insert(name, Imf::StringAttribute(value));
   };
@@ -103,6 +105,8 @@ void describe(Imf::Header& header, const SkyMap& map, const Projection& projecti
   text("skyProjection", projection.name());
   text("skyOrientation", projection.orientation());
   text("skyAzimuthSense", "clockwise from north");
+  text("skylutCommand", provenance.command());
+  text("skylutProvenance", provenance.json().dump());
 }
 
 // A slice of interleaved floats: `stride` floats from one pixel to the next.
@@ -151,7 +155,7 @@ std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannel
 }
 
 void write_sky_exr(const std::filesystem::path& path, const SkyMap& map, const Projection& projection,
-                   SkyChannels channels) {
+                   SkyChannels channels, const Provenance& provenance) {
   const auto pixels =
       static_cast<std::size_t>(projection.width()) * static_cast<std::size_t>(projection.height());
   if (map.directions.size() != pixels)
@@ -159,7 +163,7 @@ void write_sky_exr(const std::filesystem::path& path, const SkyMap& map, const P
                      projection.name(), pixels);
   Imf::Header header(projection.width(), projection.height());
   header.compression() = Imf::ZIP_COMPRESSION;
-  describe(header, map, projection);
+  describe(header, map, projection, provenance);
 
   Imf::FrameBuffer frame;
   const std::vector<Triple> colours = channels == SkyChannels::xyz ? xyz_pixels(map) : rgb_pixels(map);

@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "skylut/core/version.hpp"
-
 namespace skylut {
 
 namespace {
@@ -48,24 +46,23 @@ std::string sun_csv(const SunIrradiance& sun) {
   return fmt::to_string(text);
 }
 
-std::string sun_json(const SunIrradiance& sun, const SunFileOrigin& origin) {
+std::string sun_json(const SunIrradiance& sun, const SkyScene& scene, const std::string& method,
+                     const Provenance& provenance) {
   using Json = nlohmann::ordered_json;
-  Json json{{"format", "skylut sun"},
-            {"format_version", 1},
-            {"skylut_version", kVersion},
-            {"command", origin.command},
-            {"method", origin.method},
-            {"units",
-             "irradiance in W m-2 nm-1, means over bands of step_nm around each wavelength; sums in "
-             "W m-2 and lux"},
-            {"altitude_km", origin.altitude_km},
-            {"turbidity",
-             {{"kind", turbidity_kind_name(origin.turbidity.kind)}, {"value", origin.turbidity.value}}},
-            {"sun", {{"zenith_deg", sun.sun.zenith_deg}, {"azimuth_deg", sun.sun.azimuth_deg}}},
-            {"beam_arrives", sun.beam_arrives},
-            {"sun_distance_au", origin.sun_distance_au},
-            {"solar", origin.solar},
-            {"step_nm", sun.wavelengths.step_nm()}};
+  Json json{{"format", "skylut sun"}, {"format_version", 1}};
+  const Json how = provenance.json();
+  for (const auto& [key, value] : how.items()) json[key] = value;
+  const Turbidity& turbidity = scene.turbidities.at(0);
+  json["method"] = method;
+  json["units"] =
+      "irradiance in W m-2 nm-1, means over bands of step_nm around each wavelength; sums in W m-2 and lux";
+  json["altitude_km"] = scene.altitudes_km.at(0);
+  json["turbidity"] = {{"kind", turbidity_kind_name(turbidity.kind)}, {"value", turbidity.value}};
+  json["sun"] = {{"zenith_deg", sun.sun.zenith_deg}, {"azimuth_deg", sun.sun.azimuth_deg}};
+  json["beam_arrives"] = sun.beam_arrives;
+  json["sun_distance_au"] = scene.sun_distance_au;
+  json["solar"] = scene.solar;
+  json["step_nm"] = sun.wavelengths.step_nm();
   Json& sums = json["sums"] = Json::object();
   for (const auto& [name, values] : irradiance_columns(sun)) {
     const std::string quantity = name.substr(0, name.find("_w_m2_nm"));

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/atmosphere/spectral_curve.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
@@ -14,8 +13,6 @@ namespace skylut {
 
 namespace {
 
-constexpr double kStandardPressure_hPa = 1013.25;
-constexpr double kMolarMassOfWater_g_mol = 18.01528;
 constexpr std::array<const char*, 5> kNames{"rayleigh", "ozone", "mixed_gases", "water_vapour", "aerosol"};
 
 double kasten1966(double zenith_deg) {
@@ -38,7 +35,8 @@ double column_above_per_m2(const Profile& profile, const char* gas, double altit
 }
 
 double aerosol_depth(const Atmosphere& air, double wavelength_nm, double aod500, double altitude_km) {
-  for (const ConstituentDepth& constituent : air.optical_depths(wavelength_nm, aod500, altitude_km))
+  for (const ConstituentDepth& constituent :
+       air.optical_depths({.wavelength_nm = wavelength_nm}, aod500, altitude_km))
     if (constituent.name == "aerosol") return constituent.depth;
   return 0.0;
 }
@@ -48,8 +46,7 @@ ClosedFormAir closed_form_air(const Atmosphere& air, double aod500, double altit
   const Profile& profile = air.profile();
   ClosedFormAir result;
   result.ozone_atm_cm = 1e-3 * column_above_per_m2(profile, "ozone", altitude_km) / kDobsonUnit_per_m2;
-  result.water_cm = 1e-4 * column_above_per_m2(profile, "water_vapour", altitude_km) *
-                    kMolarMassOfWater_g_mol / kAvogadro_per_mol;
+  result.water_cm = column_above_per_m2(profile, "water_vapour", altitude_km) / water_molecules_per_m2_cm();
   result.angstrom_beta = aerosol_depth(air, 1000.0, aod500, altitude_km);
   if (result.angstrom_beta > 0.0)
     result.angstrom_exponent =
@@ -102,26 +99,22 @@ std::vector<double> closed_form_transmittances(const ClosedFormAbsorption& absor
 }
 
 SunIrradiance simulate_sun_closed_form(const Context& context, const SkyScene& scene, ClosedFormModel model) {
-  if (scene.altitudes_km.size() != 1 || scene.turbidities.size() != 1 || scene.suns.size() != 1)
-    throw InputError("sun's irradiance of {} altitudes, {} turbidities, {} suns: must be one of each",
-                     scene.altitudes_km.size(), scene.turbidities.size(), scene.suns.size());
-  const Atmosphere air(context, scene.profile, scene.air);
+  require_one_of_each(scene);
+  const Atmosphere& air = *scene.atmosphere;
   const double altitude_km = scene.altitudes_km[0];
   const ClosedFormAir columns = closed_form_air(air, to_aod500(scene.turbidities[0], air), altitude_km);
   const OpticalMasses masses =
       optical_masses(model, scene.suns[0].zenith_deg, air_state(air.profile(), altitude_km).pressure_hPa);
-  const SolarSpectrum spectrum = SolarSpectrum::load(context, scene.solar);
   SunIrradiance result;
   result.wavelengths = scene.wavelengths;
   result.sun = scene.suns[0];
   result.beam_arrives = true;
+  result.extraterrestrial = extraterrestrial_irradiance(context, scene);
   result.luminous_weight = luminous_weights(context, scene.wavelengths);
   const ClosedFormAbsorption absorption = ClosedFormAbsorption::load(context);
   for (const char* name : kNames) result.transmittance.push_back({name, {}});
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
-    double irradiance = spectrum.irradiance_W_m2_nm(scene.wavelengths[i], scene.wavelengths.step_nm()) /
-                        (scene.sun_distance_au * scene.sun_distance_au);
-    result.extraterrestrial.push_back(irradiance);
+    double irradiance = result.extraterrestrial[i];
     const std::vector<double> transmittances =
         closed_form_transmittances(absorption, columns, masses, scene.wavelengths[i]);
     for (std::size_t k = 0; k < transmittances.size(); ++k) {

@@ -146,6 +146,7 @@ Profile load_profile(const Context& context, const std::string& name_or_path) {
   profile.name = file.name;
   profile.description = file.description;
   profile.source = file.source;
+  profile.file = path;
   profile.altitude_km = file.altitude_km;
   profile.described_top_km = file.altitude_km.back();
   profile.columns = file.columns;

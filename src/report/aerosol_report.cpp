@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "skylut/scattering/aerosol_json.hpp"
+
 namespace skylut {
 
 namespace {
@@ -50,7 +52,8 @@ std::string shape_text(const AerosolDescription& description) {
 
 }  // namespace
 
-std::string aerosol_text(const AerosolDescription& description, const AerosolOptics& optics) {
+std::string aerosol_text(const AerosolOptics& optics) {
+  const AerosolDescription& description = *optics.description;
   std::string text =
       fmt::format("{}: {}\n  source: {}\n", description.name, description.description, description.source);
   if (description.humidity_percent)
@@ -73,51 +76,13 @@ std::string aerosol_text(const AerosolDescription& description, const AerosolOpt
   return text + shape_text(description);
 }
 
-ordered_json aerosol_json(const AerosolDescription& description, const AerosolOptics& optics) {
-  ordered_json json{
-      {"name", description.name}, {"description", description.description}, {"source", description.source}};
-  if (description.humidity_percent) json["humidity_percent"] = *description.humidity_percent;
-  for (const AerosolComponent& component : description.components) {
-    const SizeDistribution& size = component.size;
-    ordered_json particles{{"name", component.name}, {"number_per_cm3", component.number_per_cm3}};
-    if (size.kind == SizeDistribution::Kind::lognormal) {
-      particles["mode_radius_um"] = size.mode_radius_um;
-      particles["sigma_g"] = size.sigma_g;
-    } else {
-      particles["exponent"] = size.exponent;
-    }
-    particles["r_min_um"] = size.r_min_um;
-    particles["r_max_um"] = size.r_max_um;
-    particles["wavelength_nm"] = component.wavelength_nm;
-    particles["n"] = component.n;
-    particles["k"] = component.k;
-    json["components"].push_back(std::move(particles));
-  }
-  json["wavelength_nm"] = optics.wavelength_nm;
-  for (const double nm : optics.wavelength_nm) {
-    json["relative_extinction"].push_back(optics.relative_depth(nm));
-    json["single_scattering_albedo"].push_back(optics.single_scattering_albedo_at(nm));
-    json["asymmetry"].push_back(optics.asymmetry_at(nm));
-  }
+ordered_json aerosol_report_json(const AerosolOptics& optics) {
+  ordered_json json = aerosol_json(optics);
   for (const std::shared_ptr<const TabulatedPhaseFunction>& phase : optics.phase)
     json["moments"].push_back(phase->moments());
   for (const auto& [first, second] : kExponentRanges_nm)
     json["angstrom_exponent"][fmt::format("{:g}-{:g}", first, second)] =
         optics.angstrom_exponent_between(first, second);
-  ordered_json& shape = json["shape"];
-  shape["source"] = description.shape_source;
-  if (description.shape.altitude_km.empty()) {
-    shape["mixed_layer_km"] = description.shape.mixed_layer_km;
-    shape["scale_height_km"] = description.shape.haze_scale_height_km;
-  } else {
-    shape["altitude_km"] = description.shape.altitude_km;
-    shape["relative_extinction"] = description.shape.relative_extinction;
-  }
-  json["stratosphere"] = {
-      {"aerosol", description.stratosphere.empty() ? description.name : description.stratosphere},
-      {"aod500", description.shape.stratospheric_aod500},
-      {"centre_km", description.shape.stratospheric_centre_km},
-      {"width_km", description.shape.stratospheric_width_km}};
   return json;
 }
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "skylut/core/constants.hpp"
 #include "skylut/atmosphere/turbidity.hpp"
+#include "skylut/core/constants.hpp"
 
 namespace skylut {
 
@@ -57,8 +57,10 @@ std::vector<TurbidityValue> turbidity_values(const Atmosphere& air, double aod50
 // Optical depths of the constituents in one layer, by the difference of those above its ends.
 std::vector<ConstituentDepth> layer_depths(const Atmosphere& air, double aod500, std::size_t layer) {
   const std::vector<double>& levels = air.shells().levels_km;
-  std::vector<ConstituentDepth> depths = air.optical_depths(kShown_nm, aod500, levels[layer]);
-  const std::vector<ConstituentDepth> above = air.optical_depths(kShown_nm, aod500, levels[layer + 1]);
+  std::vector<ConstituentDepth> depths =
+      air.optical_depths({.wavelength_nm = kShown_nm}, aod500, levels[layer]);
+  const std::vector<ConstituentDepth> above =
+      air.optical_depths({.wavelength_nm = kShown_nm}, aod500, levels[layer + 1]);
   for (std::size_t i = 0; i < depths.size(); ++i) depths[i].depth -= above[i].depth;
   return depths;
 }
@@ -115,7 +117,7 @@ std::string levels_table(const Profile& profile) {
 }
 
 std::string depths_tables(const Atmosphere& air, double aod500) {
-  const std::vector<ConstituentDepth> whole = air.optical_depths(kShown_nm, aod500);
+  const std::vector<ConstituentDepth> whole = air.optical_depths({.wavelength_nm = kShown_nm}, aod500);
   std::string text = fmt::format("\nOptical depth above the ground at {:g} nm\n", kShown_nm);
   for (const ConstituentDepth& depth : whole)
     text += fmt::format("  {:<18} {:.6f}\n", depth.name, depth.depth);
@@ -193,7 +195,7 @@ ordered_json profile_json(const Atmosphere& air, double aod500) {
   for (const Column& column : gas_columns(profile))
     json["columns_above_ground"][column.name] = {{"value", column.value}, {"unit", column.unit}};
 
-  const std::vector<ConstituentDepth> whole = air.optical_depths(kShown_nm, aod500);
+  const std::vector<ConstituentDepth> whole = air.optical_depths({.wavelength_nm = kShown_nm}, aod500);
   ordered_json& depths = json["optical_depths"];
   depths["wavelength_nm"] = kShown_nm;
   for (const ConstituentDepth& depth : whole) depths[depth.name] = depth.depth;

@@ -66,7 +66,9 @@ ReadComponent read_listed_component(const Context& context, const TomlReader& re
     path = context.data_file(fmt::format("{}/{}.toml", folder, name)).string();
   }
   const toml::table table = TomlReader::parse(path);
-  return read_component(TomlReader(table, path, ""), {}, humidity_percent);
+  ReadComponent read = read_component(TomlReader(table, path, ""), {}, humidity_percent);
+  read.component.file = path;
+  return read;
 }
 
 std::vector<AerosolComponent> read_components(const Context& context, const TomlReader& reader,
@@ -168,6 +170,7 @@ AerosolDescription load_aerosol_description(const Context& context, const std::s
   reader.allow_only(
       {"name", "description", "source", "humidity_percent", "component", "optics", "shape", "stratosphere"});
   AerosolDescription aerosol;
+  aerosol.file = path;
   aerosol.name = reader.text("name");
   aerosol.description = reader.text("description");
   aerosol.source = reader.text("source");

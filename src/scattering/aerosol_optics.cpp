@@ -161,6 +161,7 @@ AerosolOptics aerosol_optics(const Context& context, const AerosolDescription& d
   AerosolOptics aerosol;
   aerosol.name = description.name;
   aerosol.shape = description.shape;
+  aerosol.description = std::make_shared<const AerosolDescription>(description);
   if (description.optics)
     set_given(*description.optics, aerosol);
   else

@@ -98,7 +98,7 @@ double AerosolShape::haze_between(double lower_km, double upper_km, double top_k
   return (haze_below(*this, upper_km) - haze_below(*this, lower_km)) / haze_below(*this, top_km);
 }
 
-double AerosolShape::layer_between(double lower_km, double upper_km, double top_km) const {
+double AerosolShape::stratospheric_between(double lower_km, double upper_km, double top_km) const {
   return (gaussian_below(*this, upper_km) - gaussian_below(*this, lower_km)) / gaussian_below(*this, top_km);
 }
 
@@ -106,7 +106,7 @@ double AerosolShape::haze_density_per_km(double altitude, double top_km) const {
   return haze_value(*this, altitude) / haze_below(*this, top_km);
 }
 
-double AerosolShape::layer_density_per_km(double altitude, double top_km) const {
+double AerosolShape::stratospheric_density_per_km(double altitude, double top_km) const {
   const double distance = (altitude - stratospheric_centre_km) / stratospheric_width_km;
   return std::exp(-0.5 * distance * distance) /
          (stratospheric_width_km * std::sqrt(2.0 * kPi) * gaussian_below(*this, top_km));
@@ -114,13 +114,13 @@ double AerosolShape::layer_density_per_km(double altitude, double top_km) const 
 
 double AerosolShape::part_between(double lower_km, double upper_km, double top_km, double aod500) const {
   const double layer = stratospheric_share(aod500);
-  return layer * layer_between(lower_km, upper_km, top_km) +
+  return layer * stratospheric_between(lower_km, upper_km, top_km) +
          (1.0 - layer) * haze_between(lower_km, upper_km, top_km);
 }
 
 double AerosolShape::density_per_km(double altitude, double top_km, double aod500) const {
   const double layer = stratospheric_share(aod500);
-  return layer * layer_density_per_km(altitude, top_km) +
+  return layer * stratospheric_density_per_km(altitude, top_km) +
          (1.0 - layer) * haze_density_per_km(altitude, top_km);
 }
 

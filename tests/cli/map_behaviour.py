@@ -48,8 +48,7 @@ class Map(unittest.TestCase):
                           "--suns", "45:90", "--save-maps", *COARSE)
         self.map("-o", "sky.csv", "--altitude-km", "6", "--turbidity", "0.2", "--sun-zenith-deg", "45",
                  "--sun-azimuth-deg", "90")
-        self.assertEqual(self.work.path("sky.csv").read_bytes(),
-                         self.work.path("out/maps/entry_001.csv").read_bytes())
+        self.assertEqual(rows_of(self.work.path("sky.csv")), rows_of(self.work.path("out/maps/entry_001.csv")))
 
     def test_pictures_go_to_one_file_per_kind(self):
         screen = self.map("-o", "sky.exr", "--sun-zenith-deg", "45", "--size", "8",
@@ -68,7 +67,7 @@ class Map(unittest.TestCase):
         # 0.1 deg leaves room for the equation of time (2 min) and the change of declination over the day.
         self.map("-o", "sky.csv", "--latitude", "51:28:40N", "--longitude", "0", "--time", "2024-06-21T12:00Z")
         lines = self.work.path("sky.csv").read_text(encoding="utf-8").splitlines()
-        values = dict(line[2:].split("=") for line in lines if line.startswith("# ") and "=" in line)
+        values = dict(line[2:].split("=", 1) for line in lines if line.startswith("# ") and "=" in line)
         self.assertAlmostEqual(float(values["sun_zenith_deg"]), 28.04, delta=0.1)
         self.assertAlmostEqual(float(values["sun_azimuth_deg"]), 180, delta=2)
 

@@ -33,7 +33,7 @@ skylut_refuses(solar_file_unit 2 "mine.csv:3: irradiance_W_m2_nm 1850" sun --sun
 skylut_refuses(date_word 2 "date 'today': must be a day" map -o sky.csv --sun-zenith-deg 45 --date today)
 skylut_refuses(date_no_such_day 2 "date '2024-02-30'" table --out out --date 2024-02-30)
 
-skylut_refuses(albedo_unknown 2 "--albedo.*'gras'.*asphalt, grass, sand, snow, water" map -o sky.csv
+skylut_refuses(albedo_unknown 2 "albedo 'gras'.*asphalt, grass, sand, snow, water" map -o sky.csv
   --sun-zenith-deg 45 --albedo gras)
 skylut_refuses(albedo_file_line 2 "mine.csv:3: albedo 1.5" map -o sky.csv --sun-zenith-deg 45 --albedo mine.csv
   INPUT "mine.csv=wavelength_nm,albedo\\n300,0.1\\n1000,1.5\\n")

@@ -41,7 +41,7 @@ skylut_refuses(table_wavelengths_uneven 2 "whole number" table --out out --wavel
 skylut_refuses(table_wavelengths_invisible 2 "row 1.*Y" table --out out --wavelengths-nm 900:950:10
   --altitudes-km 0 --turbidities 0 --suns 45:0)
 
-skylut_refuses(table_albedo_2 2 "--albedo '2'.*0 to 1" table --out out --albedo 2)
+skylut_refuses(table_albedo_2 2 "ground albedo '2'.*0 to 1" table --out out --albedo 2)
 skylut_refuses(table_ozone_negative 2 "--ozone-du '-5'" table --out out --ozone-du -5)
 skylut_refuses(table_threads_negative 2 "--threads '-1'" table --out out --threads -1)
 skylut_refuses(table_threads_fraction 2 "--threads '1.5'" table --out out --threads 1.5)

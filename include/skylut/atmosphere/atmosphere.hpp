@@ -1,12 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "skylut/atmosphere/absorbing_gas.hpp"
+#include "skylut/atmosphere/constituent.hpp"
 #include "skylut/atmosphere/ground_albedo.hpp"
-#include "skylut/atmosphere/line_absorption.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/profile/profile.hpp"
 #include "skylut/scattering/aerosol_optics.hpp"
@@ -15,93 +16,94 @@
 namespace skylut {
 
 struct Context;
+class AerosolConstituent;
+class RayleighConstituent;
 
 /// What a profile leaves open.
 struct AtmosphereOptions {
   GroundAlbedo ground_albedo = 0.2;  ///< Lambertian, [0, 1]
-  std::optional<double>
-      ozone_du;                  ///< column above the ground, Dobson units, [0, 1000]; default: the profile's
-  std::optional<double> no2_du;  ///< nitrogen dioxide, [0, 100]; default: the profile's
+  /// Column of ozone above the ground, Dobson units, [0, 1000]; default: the profile's.
+  std::optional<double> ozone_du;
+  std::optional<double> no2_du;    ///< nitrogen dioxide, [0, 100]; default: the profile's
   std::optional<double> water_cm;  ///< precipitable water, [0, 20]; default: the profile's
   /// At the ground, [300, 1100]; default: the profile's. Scales pressure, air, oxygen and carbon dioxide at
   /// all levels, hence the Rayleigh and oxygen depths; temperature and the other gases' columns stay.
   std::optional<double> surface_pressure_hPa;
   /// Gravity at the ground; profiles are in balance under standard gravity, see Atmosphere. [9.7, 9.9].
   double gravity_m_s2 = kStandardGravity_m_s2;
-  double planet_radius_km = kMeanEarthRadius_km;  ///< of the ground, [1000, inf]
+  double planet_radius_km = kMeanEarthRadius_km;  ///< of the ground, [1000, inf)
   AerosolOptics aerosol;
 };
 
-/// Vertical optical depth of one constituent between two altitudes.
+/// Vertical optical depth of one constituent.
 struct ConstituentDepth {
-  /// "rayleigh", "ozone", "no2", "o2_o2", "oxygen", "water_vapour" (the lines of these), "aerosol"
-  std::string name;
+  std::string name;  ///< of the constituent
   double depth = 0.0;
 };
 
-/// One way that a band's light is absorbed: the part of the band that meets these depths.
-struct AbsorptionTerm {
-  double weight = 1.0;        ///< part of the band, [0, 1]
-  std::vector<double> depth;  ///< vertical optical depth per layer, bottom to top, >= 0
+/// What one constituent does to a band.
+struct ConstituentExtinction {
+  std::string name;                   ///< of the constituent
+  std::vector<ExtinctionTerm> terms;  ///< weights sum to 1; one term unless lines absorb
 };
 
-/// What one constituent does to a band of wavelengths: T(m) = Σ weight exp(-m Σ depth) for air mass m. A
-/// smooth constituent has one term of weight 1; a band of lines has several, whose weights sum to 1.
-struct Constituent {
-  std::string name;  ///< as in ConstituentDepth
-  std::vector<AbsorptionTerm> terms;
-};
-
-/// One lane of the solver; the radiance of a band is the weighted sum over its lanes.
-struct ColumnTerm {
+/// One monochromatic column; the radiance of a band is the weighted sum over its columns.
+struct BandColumn {
   double weight = 1.0;  ///< [0, 1]; those of a band sum to 1
   OpticalColumn column;
 };
 
-/// A profile as light sees it: layers for the transfer equation, filled for any wavelength and load.
+/// The air above a place, as light sees it: levels, a list of constituents between them, and a ground. Built
+/// once from a profile and what it leaves open; answers for any wavelength and aerosol load, and describes
+/// itself into every file that is made with it.
 ///
 /// Another gravity g than the standard's g0 leaves pressure and temperature at the ground as they are
 /// and stretches the air by g0/g, so that its column is p/(m g). [docs/air.md §6]
+///
+/// Immutable once built; its functions may be called by several threads.
 class Atmosphere {
  public:
-  /// @throws InputError  for options out of range (naming option and value)
-  Atmosphere(const Context& context, Profile profile, AtmosphereOptions options);
+  /// @param more  further constituents (a cloud, a plume of smoke), after the air's own
+  /// @throws InputError  for options out of range (naming option and value), or two constituents of one name
+  /// @throws WorkError   if a data table is missing
+  Atmosphere(const Context& context, Profile profile, AtmosphereOptions options,
+             std::vector<std::unique_ptr<Constituent>> more = {});
+  ~Atmosphere();
+  Atmosphere(Atmosphere&&) noexcept;
+  Atmosphere& operator=(Atmosphere&&) noexcept;
 
-  const Profile& profile() const { return profile_; }
+  /// The profile as it is used: columns and pressure scaled as the options ask.
+  const Profile& profile() const { return *profile_; }
   const AtmosphereOptions& options() const { return options_; }
+  const AerosolOptics& aerosol() const { return options_.aerosol; }
 
-  /// Levels from the ground to 100 km, 0.1 km apart at the ground, 20 km at the top.
+  /// Levels from the ground to 100 km, 0.1 km apart at the ground, 20 km at the top, and the constituents'
+  /// own boundaries.
   const Shells& shells() const { return shells_; }
 
-  /// Layers of one wavelength and load, without the lines of oxygen and water vapour, which only a band
-  /// can tell (band_columns). Layer depths are integrals of
-  /// the continuous profile (relative accuracy 1e-8), not level values times thickness.
+  /// Layers of one wavelength and load, without the lines of oxygen and water vapour, which only a band can
+  /// tell (band_columns).
   /// @param wavelength_nm  [300, 1000]
   /// @param aod500         total vertical aerosol optical depth above the ground at 500 nm, >= 0
   /// @throws InputError  for values out of range
   OpticalColumn column(double wavelength_nm, double aod500) const;
 
-  /// What each constituent does to a band, layer by layer, in the order of optical_depths. Extinction
-  /// for scatterers. Lines have all the terms there are (8 per nm of the band), for transmittances without
-  /// loss; different gases' lines are independent: transmittances multiply.
-  /// @param wavelength_nm  middle of the band, [300, 1000]
-  /// @param band_nm        its width, > 0
+  /// What each constituent does to a band, layer by layer, in the order of optical_depths, with all the terms
+  /// there are.
   /// @throws InputError  for values out of range
-  std::vector<Constituent> constituents(double wavelength_nm, double band_nm, double aod500) const;
+  std::vector<ConstituentExtinction> extinctions(const Band& band, double aod500) const;
 
   /// The columns whose weighted radiances are the band's: every combination of the constituents' terms, of
   /// which lines have one to three (fit_exponentials). 81 bands of 5 nm over 380-780 nm: some 25 columns
   /// more than bands.
-  /// @throws InputError  as constituents
-  std::vector<ColumnTerm> band_columns(double wavelength_nm, double band_nm, double aod500) const;
+  /// @throws InputError  as extinctions
+  std::vector<BandColumn> band_columns(const Band& band, double aod500) const;
 
-  /// Optical depth of every constituent above an altitude of the shells, in the order Rayleigh,
-  /// absorbing gases, lines, aerosol. For lines: -ln of the band's vertical transmittance, which does not
-  /// grow with the air mass as other depths do.
+  /// Optical depth of every constituent above an altitude of the shells, in the order Rayleigh, absorbing
+  /// gases, lines, aerosol, others.
   /// @param altitude_km  [0, top]
-  /// @param band_nm      of the lines, > 0
-  std::vector<ConstituentDepth> optical_depths(double wavelength_nm, double aod500, double altitude_km = 0.0,
-                                               double band_nm = 5.0) const;
+  std::vector<ConstituentDepth> optical_depths(const Band& band, double aod500,
+                                               double altitude_km = 0.0) const;
 
   /// Rayleigh optical depth of the whole column.
   double rayleigh_depth(double wavelength_nm) const;
@@ -115,62 +117,24 @@ class Atmosphere {
   double aerosol_depth(double wavelength_nm, double aod500) const;
   double aod500_of_aerosol_depth(double wavelength_nm, double depth) const;
 
-  /// Carbon dioxide's mole fraction at the ground, for the Rayleigh cross-section.
-  double carbon_dioxide_fraction() const { return carbon_dioxide_fraction_; }
+  /// Depolarisation ratio of the molecules' scattering.
+  double depolarisation(double wavelength_nm) const;
+
+  /// Every number beside the profile's: ground, pressure, columns, gravity, radius, levels, and each
+  /// constituent under its name.
+  nlohmann::ordered_json describe() const;
 
  private:
-  // Molecules of a gas in one state of the air: a node of the integral over a layer.
-  struct ColumnNode {
-    double temperature_K;
-    double column_per_m2;            // per m⁵ for pairs
-    double log_pressure;             // ln(p / 1013.25 hPa)
-    double log_inverse_temperature;  // ln(273.15 K / T)
-  };
-  struct GasLayers {
-    AbsorbingGas gas;
-    std::vector<std::vector<ColumnNode>> nodes;  // by layer
-  };
-  struct LineLayers {
-    std::string name;
-    std::string gas_name;
-    LineAbsorption lines;
-    std::vector<std::vector<ColumnNode>> nodes;
-  };
+  void check(double wavelength_nm, double aod500) const;
+  OpticalColumn scattering_column(double wavelength_nm, double aod500) const;
 
-  static void check(double wavelength_nm, double aod500);
-  std::vector<Constituent> smooth_constituents(double wavelength_nm, double aod500) const;
-  // Scatterers and extinction 0.
-  OpticalColumn scattering_column(double wavelength_nm, const std::vector<Constituent>& constituents,
-                                  double aod500) const;
-  static double absorption_depth(const CrossSection& cross_section, const std::vector<ColumnNode>& nodes,
-                                 double wavelength_nm);
-  static double scaled_amount_per_m2(const LineBand& band, const std::vector<ColumnNode>& nodes);
-  std::vector<ColumnNode> gas_nodes(const std::string& gas_name, bool pairs, double lower_km,
-                                    double upper_km) const;
-  void scale_columns();
-  // few_terms: as few as the solver's lanes need; otherwise all there are.
-  Constituent line_constituent(const LineLayers& absorber, double wavelength_nm, double band_nm,
-                               bool few_terms) const;
-  std::vector<Constituent> all_constituents(double wavelength_nm, double band_nm, double aod500,
-                                            bool few_terms) const;
-  double air_between_per_m2(double lower_km, double upper_km) const;
-  // Aerosol's optical depth between two altitudes.
-  struct AerosolDepth {
-    double haze;
-    double layer;  // in the stratosphere
-  };
-  void add_aerosol(double wavelength_nm, double aod500, OpticalColumn& column) const;
-  AerosolDepth aerosol_between(double lower_km, double upper_km, double wavelength_nm, double aod500) const;
-  // A profile that says where the aerosol is knows no stratospheric layer.
-  bool has_stratospheric_layer() const { return profile_.relative_aerosol_extinction.empty(); }
-
-  Profile profile_;
+  std::shared_ptr<const Profile> profile_;
   AtmosphereOptions options_;
   Shells shells_;
-  double carbon_dioxide_fraction_ = 0.0;
-  std::vector<double> air_per_m2_;  // by layer
-  std::vector<GasLayers> absorbers_;
-  std::vector<LineLayers> line_absorbers_;
+  std::vector<std::unique_ptr<Constituent>> constituents_;
+  // Two of them, for what only they can tell.
+  const RayleighConstituent* rayleigh_ = nullptr;
+  const AerosolConstituent* aerosol_ = nullptr;
 };
 
 }  // namespace skylut

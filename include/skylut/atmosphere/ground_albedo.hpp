@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,12 @@ class GroundAlbedo {
   GroundAlbedo(double value = 0.2) : value_(value) {}  // NOLINT(google-explicit-constructor)
 
   /// @param name  for tables and messages
-  GroundAlbedo(std::string name, SpectralCurve curve) : name_(std::move(name)), curve_(std::move(curve)) {}
+  /// @param file  that it was read from; empty: none
+  GroundAlbedo(std::string name, SpectralCurve curve, std::string file = {})
+      : name_(std::move(name)), file_(std::move(file)), curve_(std::move(curve)) {}
+
+  /// A number within 0-1, a preset or a file, as a text. @throws InputError naming the text
+  static GroundAlbedo parse(const Context& context, const std::string& text);
 
   /// A preset (profiles/grounds/NAME.csv) or a file of one's own, which ends in .csv or has a slash and holds
   /// the columns wavelength_nm, albedo; straight lines between its points.
@@ -38,6 +44,12 @@ class GroundAlbedo {
   /// For people: the number or the name.
   std::string text() const;
 
+  /// The number, or the name with every point of the curve.
+  nlohmann::ordered_json describe() const;
+
+  /// The file that it was read from; empty: none.
+  const std::string& file() const { return file_; }
+
   /// The number if it is one.
   std::optional<double> constant() const { return curve_ ? std::nullopt : std::optional(value_); }
   /// Of a curve; empty for a number.
@@ -46,6 +58,7 @@ class GroundAlbedo {
  private:
   double value_ = 0.0;
   std::string name_;
+  std::string file_;
   std::optional<SpectralCurve> curve_;
 };
 

@@ -26,6 +26,9 @@ class SolarSpectrum {
   /// The names that load() knows, the default first.
   static std::vector<std::string> names();
 
+  /// The file that it was read from; empty: none.
+  const std::string& file() const { return file_; }
+
   /// @param centre_nm  ascending, equally spaced; the bands touch
   /// @param mean_W_m2_nm  one per centre, > 0
   /// @throws InputError  for fewer than two bands, unequal steps or a value that is not positive
@@ -40,7 +43,9 @@ class SolarSpectrum {
 
  private:
   explicit SolarSpectrum(SpectralCurve curve) : curve_(std::move(curve)) {}
+
   SpectralCurve curve_;
+  std::string file_;
 };
 
 }  // namespace skylut

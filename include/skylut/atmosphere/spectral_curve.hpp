@@ -19,6 +19,8 @@ class SpectralCurve {
 
   double first_nm() const { return edge_nm_.front(); }
   double last_nm() const { return edge_nm_.back(); }
+  /// Edges of its pieces, ascending: the points it goes through, or the ends of its bands.
+  const std::vector<double>& edges_nm() const { return edge_nm_; }
   double lowest() const;
   double highest() const;
 

@@ -23,6 +23,9 @@ inline constexpr double kBoltzmann_J_per_K = 1.380649e-23;
 /// Standard gravity, m/s². 3rd CGPM 1901, exact; US Standard Atmosphere 1976 uses the same g0.
 inline constexpr double kStandardGravity_m_s2 = 9.80665;
 
+/// Standard atmosphere, hPa (ISO 2533, ISA sea level).
+inline constexpr double kStandardPressure_hPa = 1013.25;
+
 /// One Dobson unit as a number column, molecules/m² (0.01 mm of gas at 273.15 K, 1013.25 hPa).
 inline constexpr double kDobsonUnit_per_m2 = 2.6867801e20;
 

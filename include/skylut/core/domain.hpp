@@ -17,27 +17,30 @@ struct Range {
 
 namespace domain {
 
-inline constexpr Range kObserver_km{0.0, 30.0, "km"};          ///< altitude above the ground
-inline constexpr Range kSunZenith_deg{0.0, 96.0, "deg"};       ///< with diffuse light: to the end of civil twilight
-inline constexpr Range kAnyZenith_deg{0.0, 180.0, "deg"};      ///< of a view, or of a sun without diffuse light
-inline constexpr Range kFold_deg{0.0, 180.0, "deg"};           ///< an azimuth difference, folded
+inline constexpr Range kObserver_km{0.0, 30.0, "km"};  ///< altitude above the ground
+inline constexpr Range kSunZenith_deg{0.0, 96.0,
+                                      "deg"};  ///< with diffuse light: to the end of civil twilight
+inline constexpr Range kAnyZenith_deg{0.0, 180.0, "deg"};  ///< of a view, or of a sun without diffuse light
+inline constexpr Range kFold_deg{0.0, 180.0, "deg"};       ///< an azimuth difference, folded
 inline constexpr Range kWavelength_nm{300.0, 1000.0, "nm"};
-inline constexpr Range kBand_nm{0.01, 100.0, "nm"};            ///< width of a band
+inline constexpr Range kBand_nm{0.01, 100.0, "nm"};  ///< width of a band
 inline constexpr double kMostWavelengths = 10001;
-inline constexpr Range kTurbidityValue{0.0, 1e6, ""};          ///< of any kind; the kind may narrow it
+inline constexpr Range kTurbidityValue{0.0, 1e6, ""};  ///< of any kind; the kind may narrow it
 inline constexpr Range kAlbedo{0.0, 1.0, ""};
 inline constexpr Range kOzone_DU{0.0, 1000.0, "DU"};
 inline constexpr Range kNitrogenDioxide_DU{0.0, 100.0, "DU"};
 inline constexpr Range kWater_cm{0.0, 20.0, "cm"};
 inline constexpr Range kSurfacePressure_hPa{300.0, 1100.0, "hPa"};
 inline constexpr Range kGravity_m_s2{9.7, 9.9, "m/s2"};
+inline constexpr Range kPlanetRadius_km{1000.0, 1e9, "km"};
 inline constexpr Range kHumidity_percent{0.0, 99.0, "%"};
-inline constexpr Range kGroundHeight_m{-500.0, 9000.0, "m"};   ///< of the ground above the ellipsoid
-inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};     ///< half angle of the cone around the sun
-inline constexpr Range kThreads{0.0, 1024.0, ""};              ///< 0: one per core
-inline constexpr Range kAngstromExponent{-1.0, 4.2, ""};       ///< small clear spheres scatter more steeply than λ^-4
-inline constexpr double kAtmosphereTop_km = 100.0;             ///< that every profile reaches
-inline constexpr double kLowestProfileTop_km = 10.0;           ///< a file's last level: continued from there on
+inline constexpr Range kGroundHeight_m{-500.0, 9000.0, "m"};  ///< of the ground above the ellipsoid
+inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};    ///< half angle of the cone around the sun
+inline constexpr Range kThreads{0.0, 1024.0, ""};             ///< 0: one per core
+inline constexpr Range kAngstromExponent{-1.0, 4.2,
+                                         ""};         ///< small clear spheres scatter more steeply than λ^-4
+inline constexpr double kAtmosphereTop_km = 100.0;    ///< that every profile reaches
+inline constexpr double kLowestProfileTop_km = 10.0;  ///< a file's last level: continued from there on
 
 }  // namespace domain
 

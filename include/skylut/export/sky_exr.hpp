@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skylut/core/provenance.hpp"
 #include "skylut/export/projection.hpp"
 #include "skylut/sky/sky_map.hpp"
 
@@ -27,13 +28,13 @@ std::vector<SkyChannels> parse_sky_channels(const std::string& text);
 std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannels channels);
 
 /// Writes one OpenEXR file: 32-bit floats, ZIP compression, attributes that say altitude, turbidity,
-/// sun, units, orientation and version (docs/user-guide.md lists them). Negative R, G or B of colours
-/// outside Rec. 709 are kept.
+/// sun, units, orientation, version and how the map was made (docs/user-guide.md lists them). Negative R, G
+/// or B of colours outside Rec. 709 are kept.
 /// @param map  its directions are those of the projection, row by row
 /// @throws InputError  if the numbers of directions and pixels differ
 /// @throws WorkError   if the file cannot be written
 void write_sky_exr(const std::filesystem::path& path, const SkyMap& map, const Projection& projection,
-                   SkyChannels channels);
+                   SkyChannels channels, const Provenance& provenance);
 
 /// Number of directions whose colour lies outside Rec. 709: at least one of R, G, B is negative.
 std::size_t count_outside_rec709(const SkyMap& map);

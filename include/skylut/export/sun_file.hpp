@@ -6,22 +6,15 @@
 
 namespace skylut {
 
-/// What a file of the sun's irradiance says of itself.
-struct SunFileOrigin {
-  std::string command;  ///< the command line that makes it again
-  std::string method;   ///< "shells" or the name of a closed-form model
-  double altitude_km = 0.0;
-  Turbidity turbidity;
-  double sun_distance_au = 1.0;
-  std::string solar;  ///< extraterrestrial spectrum
-};
-
 /// CSV: a line of column names, then one line per wavelength. Columns wavelength_nm, direct_normal_w_m2_nm,
 /// diffuse_horizontal_w_m2_nm, global_horizontal_w_m2_nm (these two only with diffuse light),
 /// extraterrestrial_w_m2_nm, circumsolar_normal_w_m2_nm (if asked for), then transmittance_<constituent>.
 std::string sun_csv(const SunIrradiance& sun);
 
 /// JSON: the same lists by name, with how they were made and the sums over the wavelengths.
-std::string sun_json(const SunIrradiance& sun, const SunFileOrigin& origin);
+/// @param scene   that the irradiance was computed for
+/// @param method  "shells" or the name of a closed-form model
+std::string sun_json(const SunIrradiance& sun, const SkyScene& scene, const std::string& method,
+                     const Provenance& provenance);
 
 }  // namespace skylut

@@ -41,6 +41,7 @@ struct Profile {
   std::string name;
   std::string description;
   std::string source;
+  std::string file;               ///< that it was read from; empty: none
   double described_top_km = 0.0;  ///< highest level of the file; above it, continued
 
   std::vector<double> altitude_km;  ///< ascending, the first is 0, the last >= 100

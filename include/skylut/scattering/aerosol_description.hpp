@@ -31,6 +31,7 @@ struct SizeDistribution {
 struct AerosolComponent {
   std::string name;
   std::string source;
+  std::string file;             ///< of its own that it was read from; empty: none
   double number_per_cm3 = 1.0;  ///< relative to the other components
   SizeDistribution size;
   std::vector<double> wavelength_nm;  ///< ascending
@@ -51,6 +52,7 @@ struct AerosolDescription {
   std::string name;
   std::string description;
   std::string source;
+  std::string file;                          ///< that it was read from; empty: none
   std::optional<double> humidity_percent;    ///< of components that take up water
   std::vector<AerosolComponent> components;  ///< mixed externally; or …
   std::optional<GivenOptics> optics;         ///< … this

@@ -33,6 +33,9 @@ struct AerosolOptics {
   std::vector<double> relative_extinction;
   std::vector<std::shared_ptr<const TabulatedPhaseFunction>> phase;
 
+  /// What the particles are; none where the optics were given by hand.
+  std::shared_ptr<const AerosolDescription> description;
+
   /// Used unless the profile says where the aerosol is.
   AerosolShape shape;
   /// Optics of the shape's stratospheric layer; none: the same as these.

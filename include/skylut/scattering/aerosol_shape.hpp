@@ -28,11 +28,11 @@ struct AerosolShape {
   /// Part of the haze, and of the layer, between two altitudes of an atmosphere that ends at top_km; 1
   /// over all.
   double haze_between(double lower_km, double upper_km, double top_km) const;
-  double layer_between(double lower_km, double upper_km, double top_km) const;
+  double stratospheric_between(double lower_km, double upper_km, double top_km) const;
 
   /// Their derivatives: extinction at one altitude per unit of optical depth, 1/km.
   double haze_density_per_km(double altitude_km, double top_km) const;
-  double layer_density_per_km(double altitude_km, double top_km) const;
+  double stratospheric_density_per_km(double altitude_km, double top_km) const;
 
   /// Haze and layer together at 500 nm: shares of a total optical depth.
   double part_between(double lower_km, double upper_km, double top_km, double aod500) const;

@@ -18,7 +18,7 @@ struct SunIrradianceOptions {
 
 /// Transmittance of one constituent along the sun's beam.
 struct ConstituentTransmittance {
-  std::string name;               ///< as in Constituent
+  std::string name;               ///< of the constituent
   std::vector<double> band_mean;  ///< per wavelength, [0, 1]; 0 where the ground hides the sun
 };
 
@@ -50,6 +50,9 @@ struct SunIrradiance {
 /// @throws WorkError   if the transfer does not converge
 SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer);
+
+/// @throws InputError  unless the scene has one altitude, one turbidity and one sun
+void require_one_of_each(const SkyScene& scene);
 
 /// Σ irradiance · step, W/m².
 double broadband_W_m2(const std::vector<double>& irradiance, const WavelengthGrid& wavelengths);

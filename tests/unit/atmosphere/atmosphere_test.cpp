@@ -70,7 +70,7 @@ TEST(Atmosphere, LayersAddUpToTheConstituents) {
       for (double aod500 : {0.0, 0.003, 0.5}) {
         const OpticalColumn column = air.column(wavelength_nm, aod500);
         ASSERT_EQ(column.extinction_depth.size(), layers);
-        const double total = smooth_depth(air.optical_depths(wavelength_nm, aod500));
+        const double total = smooth_depth(air.optical_depths({.wavelength_nm = wavelength_nm}, aod500));
         EXPECT_NEAR(sum(column.extinction_depth) / total, 1.0, 1e-7) << name << " " << wavelength_nm;
         EXPECT_EQ(column.scatterers.size(), aod500 > 0.0 ? 2u : 1u);
         for (std::size_t layer = 0; layer < layers; ++layer) {
@@ -97,7 +97,7 @@ TEST(Atmosphere, LayersAddUpToTheConstituents) {
 TEST(Atmosphere, DepthsAboveAnAltitude) {
   const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
   const auto total = [&](double altitude_km) {
-    return smooth_depth(air.optical_depths(550.0, 0.2, altitude_km));
+    return smooth_depth(air.optical_depths({.wavelength_nm = 550.0}, 0.2, altitude_km));
   };
   const OpticalColumn column = air.column(550.0, 0.2);
   double above = 0.0;
@@ -108,8 +108,8 @@ TEST(Atmosphere, DepthsAboveAnAltitude) {
   EXPECT_LT(total(12.5), total(12.0));
   EXPECT_EQ(total(100.0), 0.0);
   // Pressure falls to 193.99/1013.25 at 12 km, and the Rayleigh depth with it (but for gravity: 0.3 %).
-  EXPECT_NEAR(air.optical_depths(550.0, 0.0, 12.0)[0].depth / air.rayleigh_depth(550.0), 193.99 / 1013.25,
-              0.001);
+  EXPECT_NEAR(air.optical_depths({.wavelength_nm = 550.0}, 0.0, 12.0)[0].depth / air.rayleigh_depth(550.0),
+              193.99 / 1013.25, 0.001);
 }
 
 // Ozone by hand: 343.8 DU times the cross-section at the ozone's mean temperature; the cross-section's
@@ -120,18 +120,19 @@ TEST(Atmosphere, OzoneDepth) {
   const double mean_K = air.profile().quantities.front().ozone_temperature_K;
   for (double wavelength_nm : {500.0, 550.0, 600.0, 700.0}) {
     const double expected = 343.8 * kDobsonUnit_per_m2 * ozone.at_m2(wavelength_nm, mean_K);
-    EXPECT_NEAR(depth_of(air.optical_depths(wavelength_nm, 0.0), "ozone") / expected, 1.0, 3e-3)
+    EXPECT_NEAR(depth_of(air.optical_depths({.wavelength_nm = wavelength_nm}, 0.0), "ozone") / expected, 1.0,
+                3e-3)
         << wavelength_nm;
   }
   AtmosphereOptions options;
   options.ozone_du = 171.9;
   EXPECT_NEAR(depth_of(Atmosphere(test::context, load_profile(test::context, "ussa1976"), options)
-                           .optical_depths(600.0, 0.0),
+                           .optical_depths({.wavelength_nm = 600.0}, 0.0),
                        "ozone"),
-              0.5 * depth_of(air.optical_depths(600.0, 0.0), "ozone"), 1e-12);
+              0.5 * depth_of(air.optical_depths({.wavelength_nm = 600.0}, 0.0), "ozone"), 1e-12);
   options.ozone_du = 0.0;
   EXPECT_EQ(depth_of(Atmosphere(test::context, load_profile(test::context, "ussa1976"), options)
-                         .optical_depths(600.0, 0.0),
+                         .optical_depths({.wavelength_nm = 600.0}, 0.0),
                      "ozone"),
             0.0);
 }
@@ -141,7 +142,8 @@ TEST(Atmosphere, ProfileSaysWhereTheAerosolIs) {
   for (double z : profile.altitude_km) profile.relative_aerosol_extinction.push_back(z <= 1.0 ? 7.0 : 0.0);
   const Atmosphere air(test::context, profile, {});
   // 7 over the first kilometre, then linear to 0 over the second: 7 + 3.5.
-  EXPECT_NEAR(depth_of(air.optical_depths(500.0, 0.3, 1.0), "aerosol"), 0.3 * 3.5 / 10.5, 1e-12);
+  EXPECT_NEAR(depth_of(air.optical_depths({.wavelength_nm = 500.0}, 0.3, 1.0), "aerosol"), 0.3 * 3.5 / 10.5,
+              1e-12);
   EXPECT_NEAR(air.aerosol_extinction_at_ground_per_km(500.0, 0.3), 0.3 / 1.5, 1e-12);
 }
 
@@ -165,9 +167,9 @@ TEST(Atmosphere, OutOfRangeIsRefused) {
   EXPECT_THROW(air.column(299.0, 0.0), InputError);
   EXPECT_THROW(air.column(500.0, -0.1), InputError);
   EXPECT_THROW(air.column(500.0, INFINITY), InputError);
-  EXPECT_THROW(air.optical_depths(500.0, 0.0, 101.0), InputError);
-  EXPECT_THROW(air.constituents(500.0, 0.0, 0.0), InputError);
-  EXPECT_THROW(air.band_columns(500.0, -5.0, 0.0), InputError);
+  EXPECT_THROW(air.optical_depths({.wavelength_nm = 500.0}, 0.0, 101.0), InputError);
+  EXPECT_THROW(air.extinctions({500.0, 0.0}, 0.0), InputError);
+  EXPECT_THROW(air.band_columns({500.0, -5.0}, 0.0), InputError);
 }
 
 }  // namespace

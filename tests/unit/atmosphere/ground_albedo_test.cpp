@@ -71,7 +71,7 @@ TEST(GroundAlbedo, AirHandsItToTheSolver) {
   options.ground_albedo = GroundAlbedo::load(test::context, "grass");
   const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), options);
   EXPECT_EQ(air.column(550.0, 0.1).ground_albedo, options.ground_albedo.at(550.0));
-  for (const ColumnTerm& term : air.band_columns(710.0, 20.0, 0.1))
+  for (const BandColumn& term : air.band_columns({710.0, 20.0}, 0.1))
     EXPECT_EQ(term.column.ground_albedo, options.ground_albedo.at(710.0, 20.0));
 }
 

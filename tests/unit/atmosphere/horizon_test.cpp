@@ -15,7 +15,9 @@ namespace {
 /// Vertical optical depth above an altitude, all constituents.
 double depth_above(const Atmosphere& air, double wavelength_nm, double aod500, double altitude_km) {
   double sum = 0.0;
-  for (const ConstituentDepth& one : air.optical_depths(wavelength_nm, aod500, altitude_km)) sum += one.depth;
+  for (const ConstituentDepth& one :
+       air.optical_depths({.wavelength_nm = wavelength_nm}, aod500, altitude_km))
+    sum += one.depth;
   return sum;
 }
 

@@ -25,7 +25,7 @@ OpticalCaseRequest request() {
 TEST(OpticalCase, SolvesToTheSameRadiances) {
   const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
   const auto solved = solve_case(optical_case(air, request()), "case", {});
-  const std::vector<ColumnTerm> terms = air.band_columns(550.0, 5.0, 0.3);
+  const std::vector<BandColumn> terms = air.band_columns({550.0, 5.0}, 0.3);
   ASSERT_EQ(terms.size(), 1u);
   const SkyRadiance sky =
       solve_sky_radiance(air.shells(), {&terms[0].column, 1}, {{1.0}, {60.0}, request().views}, {});

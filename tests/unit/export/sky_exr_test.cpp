@@ -29,7 +29,7 @@ class SkyExr : public testing::Test {
 
   fs::path write(SkyChannels channels, const std::string& name = "sky.exr") {
     const fs::path path = folder_ / name;
-    write_sky_exr(path, map_, projection_, channels);
+    write_sky_exr(path, map_, projection_, channels, Provenance("skylut map"));
     return path;
   }
 
@@ -103,6 +103,8 @@ TEST_F(SkyExr, ExplainsItself) {
   Imf::InputFile file(path.c_str());
   const Imf::Header& header = file.header();
   EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("skylutVersion").value(), kVersion);
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("skylutCommand").value(), "skylut map");
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("skylutProvenance").value().front(), '{');
   EXPECT_EQ(header.typedAttribute<Imf::FloatAttribute>("skyAltitudeKm").value(), 6.0f);
   EXPECT_EQ(header.typedAttribute<Imf::FloatAttribute>("skyTurbidity").value(), 0.25f);
   EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("skyTurbidityKind").value(), "aod500");
@@ -122,14 +124,15 @@ TEST_F(SkyExr, SameMapSameBytes) {
 }
 
 TEST_F(SkyExr, AFullDiskIsAnErrorAndLeavesNothing) {
-  EXPECT_THROW(write_sky_exr("/dev/full", map_, projection_, SkyChannels::rgb), WorkError);
-  EXPECT_THROW(write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb),
+  EXPECT_THROW(write_sky_exr("/dev/full", map_, projection_, SkyChannels::rgb, {}), WorkError);
+  EXPECT_THROW(write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb, {}),
                WorkError);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(SkyExr, PixelsAndDirectionsMustAgree) {
-  EXPECT_THROW(write_sky_exr(folder_ / "sky.exr", map_, LatLongProjection(5), SkyChannels::rgb), InputError);
+  EXPECT_THROW(write_sky_exr(folder_ / "sky.exr", map_, LatLongProjection(5), SkyChannels::rgb, {}),
+               InputError);
 }
 
 // Monochromatic light of 500 nm lies outside Rec. 709, white light does not.

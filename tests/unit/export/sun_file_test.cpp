@@ -39,8 +39,12 @@ TEST(SunFile, WhatWasNotComputedIsLeftOut) {
 }
 
 TEST(SunFile, JsonSaysHowItWasMade) {
-  const auto json = nlohmann::json::parse(sun_json(
-      two_wavelengths(), {"skylut sun …", "shells", 1.5, {TurbidityKind::aod500, 0.1}, 0.99, "astm-g173"}));
+  SkyScene scene;
+  scene.altitudes_km = {1.5};
+  scene.turbidities = {{TurbidityKind::aod500, 0.1}};
+  scene.sun_distance_au = 0.99;
+  const auto json =
+      nlohmann::json::parse(sun_json(two_wavelengths(), scene, "shells", Provenance("skylut sun …")));
   EXPECT_EQ(json["command"], "skylut sun …");
   EXPECT_EQ(json["sun_distance_au"], 0.99);
   EXPECT_EQ(json["direct_normal_w_m2_nm"], (std::vector<double>{1.0, 0.5}));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "skylut/core/errors.hpp"
-#include "support/test_context.hpp"
+#include "support/test_atmosphere.hpp"
 
 namespace skylut {
 namespace {
@@ -58,7 +58,7 @@ TEST(ClosedForm, TransmittancesByHand) {
 
 SkyScene scene() {
   SkyScene scene;
-  scene.profile = load_profile(test::context, "ussa1976");
+  scene.atmosphere = test::standard_atmosphere();
   scene.altitudes_km = {0.0};
   scene.turbidities = {{TurbidityKind::aod500, 0.084}};
   scene.suns = {{48.236, 180.0}};

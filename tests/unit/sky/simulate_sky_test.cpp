@@ -7,7 +7,7 @@
 #include "skylut/atmosphere/solar_spectrum.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/errors.hpp"
-#include "support/test_context.hpp"
+#include "support/test_atmosphere.hpp"
 
 namespace skylut {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // Few wavelengths and directions: these tests are about what goes where, not about accuracy.
 SkyScene small_scene() {
   SkyScene scene;
-  scene.profile = load_profile(test::context, "ussa1976");
+  scene.atmosphere = test::standard_atmosphere();
   scene.altitudes_km = {0.0, 12.0};
   scene.turbidities = {{TurbidityKind::aod500, 0.0}, {TurbidityKind::aod500, 0.3}};
   scene.suns = {{60.0, 90.0}, {60.0, 270.0}, {20.0, 0.0}};
@@ -92,7 +92,7 @@ TEST(SimulateSky, BandsOfLines) {
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].radiance, three[i].radiance);
   scene.turbidities.erase(scene.turbidities.begin());
   EXPECT_EQ(simulate_sky(test::context, scene, options)[0].radiance, one[3].radiance);
-  scene.air.water_cm = 0.0;
+  scene.atmosphere = test::standard_atmosphere({.water_cm = 0.0});
   const SkyMap dry = simulate_sky(test::context, scene, options)[0];
   // 720 nm (fourth band): water takes 12 % from the vertical and more from slant paths.
   EXPECT_LT(one[3].spectrum(1)[3], 0.9 * dry.spectrum(1)[3]);

@@ -9,14 +9,14 @@
 #include "skylut/core/errors.hpp"
 #include "skylut/transfer/direct_beam.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
-#include "support/test_context.hpp"
+#include "support/test_atmosphere.hpp"
 
 namespace skylut {
 namespace {
 
 SkyScene scene_at(double sun_zenith_deg, double aod500 = 0.2) {
   SkyScene scene;
-  scene.profile = load_profile(test::context, "ussa1976");
+  scene.atmosphere = test::standard_atmosphere();
   scene.altitudes_km = {0.0};
   scene.turbidities = {{TurbidityKind::aod500, aod500}};
   scene.suns = {{sun_zenith_deg, 180.0}};
@@ -68,13 +68,13 @@ TEST(SkyQuadrature, AureoleAtTheZenith) {
 TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
   for (const double sun_deg : {0.0, 48.236, 75.0}) {
     SkyScene scene = scene_at(sun_deg);
-    scene.air.planet_radius_km = 1e7;
+    scene.atmosphere = test::standard_atmosphere({.planet_radius_km = 1e7});
     const SunIrradiance sun = simulate_sun(test::context, scene, {}, {});
-    const Atmosphere air(test::context, scene.profile, scene.air);
+    const Atmosphere& air = *scene.atmosphere;
     for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
       double expected = 0.0;
-      for (const ColumnTerm& term :
-           air.band_columns(scene.wavelengths[i], scene.wavelengths.step_nm(), 0.2)) {
+      for (const BandColumn& term :
+           air.band_columns({scene.wavelengths[i], scene.wavelengths.step_nm()}, 0.2)) {
         PlaneParallelRequest request;
         request.cos_sun_zenith = std::cos(sun_deg * kRadiansPerDegree);
         double depth = 0.0;
@@ -98,7 +98,7 @@ TEST(SunIrradiance, DirectBeamIsTheProductOfTransmittances) {
   EXPECT_TRUE(sun.beam_arrives);
   EXPECT_TRUE(sun.diffuse_horizontal.empty());
   EXPECT_TRUE(sun.global_horizontal().empty());
-  const Atmosphere air(test::context, scene.profile, scene.air);
+  const Atmosphere& air = *scene.atmosphere;
   const auto path = beam_path_factors(air.shells(), 6.0, 80.0);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     double product = sun.extraterrestrial[i];
@@ -118,12 +118,12 @@ TEST(SunIrradiance, TheColumnsOfTheSkyTransmitTheSameBeam) {
   SkyScene scene = scene_at(60.0);
   scene.wavelengths = WavelengthGrid(450.0, 750.0, 5.0);
   const SunIrradiance sun = simulate_sun(test::context, scene, {false, 0.0}, {});
-  const Atmosphere air(test::context, scene.profile, scene.air);
+  const Atmosphere& air = *scene.atmosphere;
   const auto path = beam_path_factors(air.shells(), 0.0, 60.0);
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
     const double wavelength_nm = scene.wavelengths[i];
     double columns = 0.0;
-    for (const ColumnTerm& term : air.band_columns(wavelength_nm, 5.0, 0.2))
+    for (const BandColumn& term : air.band_columns({wavelength_nm, 5.0}, 0.2))
       columns += term.weight * beam_transmittance(*path, term.column.extinction_depth);
     const double beam = sun.direct_normal[i] / sun.extraterrestrial[i];
     EXPECT_NEAR(columns, beam, wavelength_nm < 495.0 ? 1e-9 : 0.02) << wavelength_nm;
