@@ -15,6 +15,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/export/sky_csv_reader.hpp"
+#include "skylut/fit/fit_report_json.hpp"
 #include "skylut/fit/fit_sky.hpp"
 
 namespace skylut::cli {
@@ -85,37 +86,14 @@ FitInput prepare(const FitCommandOptions& options) {
   return input;
 }
 
-// JSON has no infinity: an error that the data do not limit is null.
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json report_json(const FitReport& report, const FitInput& input) {
-  const std::array<double, 5> values = report.coefficients.values();
-  Json coefficients = Json::object();
-  Json errors = Json::object();
-  Json determined = Json::object();
-  Json at_bound = Json::object();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    coefficients[kPerezNames[i]] = values[i];
-    errors[kPerezNames[i]] = finite_or_null(report.standard_error[i]);
-    determined[kPerezNames[i]] = report.determined[i];
-    at_bound[kPerezNames[i]] = report.at_bound[i];
-  }
   const SkyCsvRow& worst = input.sky.rows[report.worst_direction];
   Json place = {{"line", worst.line}, {"zenith_deg", worst.zenith_deg}};
   if (worst.azimuth_deg) place["azimuth_deg"] = *worst.azimuth_deg;
   place["gamma_deg"] = input.views[report.worst_direction].gamma_rad * kDegreesPerRadian;
-  return {{"coefficients", coefficients},
-          {"standard_errors", errors},
-          {"determined", determined},
-          {"at_bound", at_bound},
-          {"zenith", report.zenith_value},
-          {"rmse", report.rmse},
-          {"worst_residual", report.worst_residual},
-          {"worst_direction", place},
-          {"cost", report.cost},
-          {"termination", to_string(report.termination)},
-          {"message", report.message},
-          {"iterations", report.iterations}};
+  Json json = fit_report_json(report, std::move(place));
+  json["zenith"] = report.zenith_value;
+  return json;
 }
 
 std::string as_json(const FitCommandOptions& options, const FitInput& input, const SkyFit& fit) {
@@ -162,6 +140,7 @@ void run(const FitCommandOptions& options) {
   if (!options.out.empty()) write_text_atomically(options.out, as_json(options, input, fit));
   if (options.json) {
     fmt::print("{}", as_json(options, input, fit));
+    require_converged(fit);
     return;
   }
   fmt::print("{}: {} directions, sun at zenith angle {:g} deg, {} weights\n", options.file.string(),
@@ -174,6 +153,7 @@ void run(const FitCommandOptions& options) {
   print_channel("x", fit.x, input);
   print_channel("y", fit.y, input);
   if (!options.out.empty()) fmt::print("\nwrote {}\n", options.out.string());
+  require_converged(fit);
 }
 
 }  // namespace

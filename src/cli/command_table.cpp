@@ -18,8 +18,7 @@
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/report/table_summary.hpp"
 #include "skylut/table/fit_table.hpp"
-#include "skylut/table/table_csv.hpp"
-#include "skylut/table/table_json.hpp"
+#include "skylut/table/write_table.hpp"
 
 namespace skylut::cli {
 
@@ -124,14 +123,14 @@ void run(const TableOptions& options) {
   create_folder(options.out);
   const Provenance provenance = provenance_of(context, options, scene);
   if (options.save_maps) write_maps(options.out / "maps", maps, provenance);
-  write_text_atomically(options.out / "table.json", table_json(table, scene.directions, provenance));
-  write_table_csv(options.out / "table.csv", table.entries);
+  write_table(options.out, table, scene.directions, provenance);
 
   for (const Turbidity& turbidity : scene.turbidities)
     fmt::print("{}\n", turbidity_text(turbidity, *scene.atmosphere));
   fmt::print("\n{}", table_summary(table, std::string(turbidity_kind_name(options.scene.turbidity_kind()))));
   fmt::print("wrote {} and table.json{}\n", (options.out / "table.csv").string(),
              options.save_maps ? fmt::format(", {} maps in maps", maps.size()) : "");
+  require_converged(table);
 }
 
 }  // namespace

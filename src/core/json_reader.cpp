@@ -79,7 +79,7 @@ nlohmann::ordered_json read_json_file(const std::string& path) {
   try {
     return nlohmann::ordered_json::parse(content.str());
   } catch (const nlohmann::json::parse_error& error) {
-    throw InputError("{}: not valid JSON near byte {}: must be a solver case", path, error.byte);
+    throw InputError("{}: not valid JSON near byte {}", path, error.byte);
   } catch (const nlohmann::json::exception&) {
     throw InputError("{}: holds a number out of range: must fit in double precision", path);
   }

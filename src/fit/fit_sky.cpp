@@ -101,4 +101,9 @@ std::string unconverged_channels(const SkyFit& fit) {
   return names;
 }
 
+void require_converged(const SkyFit& fit) {
+  if (const std::string channels = unconverged_channels(fit); !channels.empty())
+    throw WorkError("the fit of {} did not converge: its coefficients are not those of a minimum", channels);
+}
+
 }  // namespace skylut

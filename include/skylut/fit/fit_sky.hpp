@@ -53,4 +53,7 @@ SkyFit fit_sky(std::span<const SkyDirection> views, std::span<const Yxy> sky, do
 /// The channels whose fit did not converge, "x, y"; empty if all did.
 std::string unconverged_channels(const SkyFit& fit);
 
+/// @throws WorkError  naming the channels whose fit did not converge
+void require_converged(const SkyFit& fit);
+
 }  // namespace skylut
