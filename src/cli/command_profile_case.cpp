@@ -41,6 +41,9 @@ void run(const CaseOptions& options, const std::string& command_line) {
   request.aod500 = to_aod500(turbidity, air);
   nlohmann::ordered_json document = optical_case(air, request);
   document["command"] = command_line;
+  Provenance provenance(command_line);
+  describe_into(context, air, provenance);
+  document["provenance"] = provenance.json();
   if (options.out) write_result(*options.out, document.dump(1) + "\n");
   if (options.out && is_standard_output(*options.out)) return;
   fmt::print("{}", case_text(document));
