@@ -13,6 +13,7 @@
 #include "spherical/block_optics.hpp"
 #include "spherical/diffuse_ray.hpp"
 #include "spherical/discretisation.hpp"
+#include "spherical/kernel_choice.hpp"
 #include "spherical/ray_geometry.hpp"
 #include "spherical/sweep_tables.hpp"
 #include "support/test_context.hpp"
@@ -32,25 +33,31 @@ const Atmosphere& default_air() {
 struct OneBlock {
   explicit OneBlock(benchmark::State& state)
       : column(default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)))),
-        medium(default_air().shells(), limits_of(Quality::standard)),
-        grid(medium, discretisation_for(medium, column)),
+        common(default_air().shells(), discretisation_of(Quality::standard)),
+        grid(common, discretisation_for(common.merge, common.discretisation, column)),
         tables(grid),
-        lanes(static_cast<std::size_t>(best_kernel().lanes), &column),
-        optics(grid, lanes, best_kernel().lanes, true) {
-    state.SetLabel(best_kernel().instruction_set);
+        lanes(static_cast<std::size_t>(kernel.lanes), &column),
+        optics(grid, lanes, kernel.lanes, true) {
+    state.SetLabel(kernel.name);
   }
   std::unique_ptr<SolvedBlock> solve() const {
-    return std::unique_ptr<SolvedBlock>(best_kernel().solve_block(
-        tables.view(), optics.view(), {0, 200, static_cast<float>(medium.limits.tolerance)}));
+    const IterationLimits limits{.scattering_orders = 0,
+                                 .max_iterations = 200,
+                                 .tolerance = static_cast<float>(common.discretisation.tolerance),
+                                 .cancelled = nullptr,
+                                 .token = nullptr};
+    IterationReport report;
+    return std::unique_ptr<SolvedBlock>(kernel.solve_block(tables.view(), optics.view(), limits, report));
   }
 
   LocalSun local_sun(const RayGeometry& geometry, const std::vector<SunAzimuth>& pairs) const {
-    return {medium.shells.planet_radius_km, geometry.start(), pairs, medium.sun_interpolation,
+    return {common.shells.planet_radius_km, geometry.start(), pairs, common.sun_interpolation,
             grid.angles.azimuthal_orders()};
   }
 
+  const Kernel& kernel = kernel_for(Simd::best);
   OpticalColumn column;
-  Medium medium;
+  CommonGrid common;
   Discretisation grid;
   SweepTables tables;
   std::vector<const OpticalColumn*> lanes;
@@ -60,8 +67,9 @@ struct OneBlock {
 void shared_geometry(benchmark::State& state) {
   const OpticalColumn column = default_air().column(550.0, 0.01 * static_cast<double>(state.range(0)));
   for (auto _ : state) {
-    const Medium medium(default_air().shells(), limits_of(Quality::standard));
-    benchmark::DoNotOptimize(std::make_unique<Discretisation>(medium, discretisation_for(medium, column)));
+    const CommonGrid common(default_air().shells(), discretisation_of(Quality::standard));
+    benchmark::DoNotOptimize(std::make_unique<Discretisation>(
+        common, discretisation_for(common.merge, common.discretisation, column)));
   }
 }
 BENCHMARK(shared_geometry)->Arg(0)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);
@@ -82,7 +90,7 @@ void ray_geometry_of_a_ring(benchmark::State& state) {
   const OneBlock block(state);
   const std::vector<SunAzimuth> pairs = ring_under_low_sun();
   for (auto _ : state) {
-    const RayGeometry geometry(block.medium, 0.0, 80.0, pairs);
+    const RayGeometry geometry(block.common, 0.0, 80.0, pairs);
     LocalSun local_sun = block.local_sun(geometry, pairs);
     benchmark::DoNotOptimize(DiffuseRay(block.grid, 0.0, 80.0, local_sun));
   }
@@ -93,7 +101,7 @@ void lines_of_sight_of_a_ring(benchmark::State& state) {
   const OneBlock block(state);
   const auto field = block.solve();
   const std::vector<SunAzimuth> pairs = ring_under_low_sun();
-  const RayGeometry geometry(block.medium, 0.0, 80.0, pairs);
+  const RayGeometry geometry(block.common, 0.0, 80.0, pairs);
   LocalSun local_sun = block.local_sun(geometry, pairs);
   const DiffuseRay diffuse(block.grid, 0.0, 80.0, local_sun);
   const std::vector<float> phase = geometry.phases(block.optics);
@@ -123,9 +131,10 @@ void whole_transfer(benchmark::State& state) {
     for (int azimuth = 6; azimuth < 180; azimuth += 12)
       request.views.push_back({10.0 * ring, static_cast<double>(azimuth)});
   TransferOptions options;
-  options.threads = 1;
+  Context context;
+  context.threads = 1;
   for (auto _ : state)
-    benchmark::DoNotOptimize(solve_sky_radiance(default_air().shells(), columns, request, options));
+    benchmark::DoNotOptimize(solve_sky_radiance(context, default_air().shells(), columns, request, options));
 }
 BENCHMARK(whole_transfer)
     ->Args({5, 3})
@@ -141,8 +150,7 @@ void plane_parallel_solver(benchmark::State& state) {
   double depth = 0.0;
   for (const double layer : column.extinction_depth) depth += layer;
   request.output_depths = {depth};
-  request.cos_views = {-1.0, -0.5, -0.1};
-  request.relative_azimuths_rad = {0.0, 1.5, 3.0};
+  request.directions = PlaneParallelRequest::every({-1.0, -0.5, -0.1}, {0.0, 1.5, 3.0});
   for (auto _ : state) benchmark::DoNotOptimize(solve_plane_parallel(column, request));
 }
 BENCHMARK(plane_parallel_solver)->Arg(0)->Arg(50)->Unit(benchmark::kMillisecond);

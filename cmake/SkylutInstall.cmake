@@ -12,7 +12,7 @@ endfunction()
 
 function(skylut_install_package)
   set(SKYLUT_ROOMS_INSTALLED ${SKYLUT_ROOMS_BUILT})
-  list(REMOVE_ITEM SKYLUT_ROOMS_INSTALLED cli)
+  list(REMOVE_ITEM SKYLUT_ROOMS_INSTALLED options cli)
   set(SKYLUT_PROFILES_DIR ${CMAKE_INSTALL_DATADIR}/skylut/profiles)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/skylutConfig.cmake.in
     ${PROJECT_BINARY_DIR}/generated/skylutConfig.cmake

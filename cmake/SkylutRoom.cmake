@@ -19,7 +19,7 @@ function(skylut_room room)
     PUBLIC ${rooms} ${ARG_PUBLIC}
     PRIVATE ${ARG_PRIVATE} ${ARG_HEADER_ONLY} $<BUILD_INTERFACE:skylut_compile_options>)
   target_compile_features(skylut_${room} PUBLIC cxx_std_20)
-  if(NOT room STREQUAL "cli")
+  if(NOT room MATCHES "^(options|cli)$")  # the program's own
     skylut_install_room(${room})
   endif()
 endfunction()

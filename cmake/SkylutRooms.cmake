@@ -2,7 +2,7 @@
 # this list says which, and which outside libraries each needs. The build and the installed
 # skylutConfig.cmake both read it, so that nobody needs a library of a room that is not wanted.
 set(SKYLUT_ROOM_ORDER
-  core site profile scattering atmosphere transfer colour sky models fit table export compare report cases cli)
+  core site profile scattering atmosphere transfer colour sky models fit table export compare report cases options cli)
 
 set(SKYLUT_USES_core)
 set(SKYLUT_USES_site core)
@@ -17,10 +17,11 @@ set(SKYLUT_USES_fit core colour models)
 set(SKYLUT_USES_table core site colour sky models fit)
 set(SKYLUT_USES_export core colour sky)
 set(SKYLUT_USES_compare core colour models fit table)
-set(SKYLUT_USES_report core scattering atmosphere table)
+set(SKYLUT_USES_report core scattering atmosphere sky fit table export)
 set(SKYLUT_USES_cases core scattering atmosphere transfer)
+set(SKYLUT_USES_options core)
 set(SKYLUT_USES_cli
-  core site profile scattering atmosphere transfer sky models fit table export compare report cases)
+  core site profile scattering atmosphere transfer colour sky models fit table export compare report cases options)
 
 # Libraries that whoever links the room needs too; a header-only library that only its sources use is in
 # SKYLUT_BUILDS_WITH.
@@ -32,7 +33,7 @@ set(SKYLUT_PACKAGES_fit Ceres)
 set(SKYLUT_PACKAGES_export OpenEXR)
 set(SKYLUT_BUILDS_WITH_transfer Eigen3)
 set(SKYLUT_BUILDS_WITH_fit Eigen3)
-set(SKYLUT_BUILDS_WITH_cli CLI11)
+set(SKYLUT_BUILDS_WITH_options CLI11)
 
 # skylut_rooms_needed(<variable> <rooms...>): those rooms and all that they use, in order.
 function(skylut_rooms_needed variable)

@@ -6,6 +6,8 @@
 
 #include "case_layers.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/json_reader.hpp"
 #include "skylut/core/version.hpp"
@@ -16,8 +18,6 @@ namespace skylut {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kHighestSunZenith_deg = 96.0;
 
 void refuse_what_plane_parallel_cannot(const JsonReader& file, const SolveOptions& options) {
   if (options.method == SolveMethod::monte_carlo)
@@ -62,11 +62,13 @@ Json solve_depth_schema(const JsonReader& file, const SolveOptions& options) {
   if (request.cos_sun_zenith == 0.0) beam.at("mu0").refuse("0 must be a number within 0 (excluded) to 1");
   request.isotropic_top_radiance = file.at("isotropic_top").number(0.0, 1e300, ">= 0") / flux;
   request.output_depths = outputs.at("taus").numbers(0.0, 1e300, ">= 0");
-  request.cos_views = outputs.at("umu").numbers(-1.0, 1.0, "within -1 to 1 and not 0");
+  const std::vector<double> cos_views = outputs.at("umu").numbers(-1.0, 1.0, "within -1 to 1 and not 0");
   for (const JsonReader& umu : outputs.at("umu").elements())
     if (umu.number() == 0.0) umu.refuse("0 must be a number within -1 to 1 and not 0");
+  std::vector<double> azimuths_rad;
   for (const JsonReader& phi : outputs.at("phi_deg").elements())
-    request.relative_azimuths_rad.push_back((phi.number() - phi0_deg) * kRadiansPerDegree);
+    azimuths_rad.push_back((phi.number() - phi0_deg) * kRadiansPerDegree);
+  request.directions = PlaneParallelRequest::every(cos_views, azimuths_rad);
   double total = 0.0;
   for (double depth : column.extinction_depth) total += depth;
   for (const JsonReader& tau : outputs.at("taus").elements())
@@ -82,9 +84,9 @@ Json solve_depth_schema(const JsonReader& file, const SolveOptions& options) {
   std::size_t at = 0;
   for (std::size_t depth = 0; depth < request.output_depths.size(); ++depth) {
     Json at_depth = Json::array();
-    for (std::size_t view = 0; view < request.cos_views.size(); ++view) {
+    for (std::size_t view = 0; view < cos_views.size(); ++view) {
       Json at_view = Json::array();
-      for (std::size_t phi = 0; phi < request.relative_azimuths_rad.size(); ++phi)
+      for (std::size_t phi = 0; phi < azimuths_rad.size(); ++phi)
         at_view.push_back(flux * result.radiance[at++]);
       at_depth.push_back(std::move(at_view));
     }
@@ -116,7 +118,9 @@ struct AltitudeCase {
 AltitudeCase read_altitude_schema(const JsonReader& file) {
   AltitudeCase read;
   const JsonReader levels = file.at("levels_km");
-  read.shells.levels_km = levels.numbers(0.0, 1e300, ">= 0 (an altitude)");
+  read.shells.levels_km =
+      levels.numbers(0.0, domain::kLevel_km.highest,
+                     fmt::format("within 0-{} km (an altitude)", domain::kLevel_km.highest).c_str());
   if (read.shells.levels_km.front() != 0.0) levels.refuse("the first level must be 0, the ground");
   for (std::size_t i = 1; i < read.shells.levels_km.size(); ++i)
     if (!(read.shells.levels_km[i] > read.shells.levels_km[i - 1]))
@@ -168,33 +172,17 @@ Json solve_plane_layers(const JsonReader& file, const SolveOptions& options) {
   request.cos_sun_zenith = std::cos(read.sun_zenith_deg * kRadiansPerDegree);
   request.output_depths = {depth_above(read, read.observer_km)};
   Json answer = file.value();
-  std::vector<double> radiance;
-  PlaneParallelResult result;
-  // The solver gives every view at every azimuth; the distinct ones of the case are few.
-  std::vector<std::size_t> index;
   for (const RelativeView& view : read.views) {
     if (std::abs(view.zenith_deg - 90.0) < 1e-9)
       file.at("results").refuse("view_zenith_deg 90 must not be horizontal in plane-parallel layers");
     // The light travels against the direction in which the observer looks; azimuths agree, as the beam, too,
     // travels against the direction to the sun.
-    const double cosine = -std::cos(view.zenith_deg * kRadiansPerDegree);
-    const double azimuth = view.relative_azimuth_deg * kRadiansPerDegree;
-    const auto place = [](std::vector<double>& list, double value) {
-      for (std::size_t i = 0; i < list.size(); ++i)
-        if (list[i] == value) return i;
-      list.push_back(value);
-      return list.size() - 1;
-    };
-    const std::size_t at_view = place(request.cos_views, cosine);
-    const std::size_t at_azimuth = place(request.relative_azimuths_rad, azimuth);
-    index.push_back(at_view);
-    index.push_back(at_azimuth);
+    request.directions.push_back(
+        {-std::cos(view.zenith_deg * kRadiansPerDegree), view.relative_azimuth_deg * kRadiansPerDegree});
   }
-  result = solve_plane_parallel(read.column, request);
+  const PlaneParallelResult result = solve_plane_parallel(read.column, request);
   for (std::size_t i = 0; i < read.views.size(); ++i)
-    write_radiance(answer["results"][i],
-                   result.radiance[index[2 * i] * request.relative_azimuths_rad.size() + index[2 * i + 1]],
-                   0.0);
+    write_radiance(answer["results"][i], result.radiance[i], 0.0);
   answer["fluxes"]["direct_down"] = result.flux_direct[0];
   answer["fluxes"]["diffuse_down"] = result.flux_down_diffuse[0];
   answer["fluxes"]["diffuse_up"] = result.flux_up[0];
@@ -202,30 +190,31 @@ Json solve_plane_layers(const JsonReader& file, const SolveOptions& options) {
 }
 
 /// Largest relative share of the radiance that the orders left out hold, over all directions.
-double truncation_error(const AltitudeCase& read, const SkyRequest& request, TransferOptions transfer,
-                        const SkyRadiance& truncated) {
-  transfer.orders = 0;
-  const SkyRadiance whole = solve_sky_radiance(read.shells, {&read.column, 1}, request, transfer);
+double truncation_error(const Context& context, const AltitudeCase& read, const SkyRequest& request,
+                        TransferOptions transfer, const SkyRadiance& truncated) {
+  transfer.scattering_orders = 0;
+  const SkyRadiance whole = solve_sky_radiance(context, read.shells, {&read.column, 1}, request, transfer);
   double largest = 0.0;
   for (std::size_t i = 0; i < request.views.size(); ++i)
     if (whole.at(0, 0, 0, i) > 0.0f)
-      largest = std::max(
-          largest, std::abs(1.0 - double{truncated.at(0, 0, 0, i)} / double{whole.at(0, 0, 0, i)}));
+      largest =
+          std::max(largest, std::abs(1.0 - double{truncated.at(0, 0, 0, i)} / double{whole.at(0, 0, 0, i)}));
   return largest;
 }
 
-Json solve_shells(const JsonReader& file, const SolveOptions& options) {
+Json solve_shells(const Context& context, const JsonReader& file, const SolveOptions& options) {
   AltitudeCase read = read_altitude_schema(file);
   read.shells.planet_radius_km = file.at("planet_radius_km").number(domain::kPlanetRadius_km);
-  if (read.sun_zenith_deg > kHighestSunZenith_deg)
+  if (read.sun_zenith_deg > domain::kSunZenith_deg.highest)
     file.at("sun_zenith_deg")
         .refuse(fmt::format("{} must lie within 0-{} in spherical shells", read.sun_zenith_deg,
-                            kHighestSunZenith_deg));
+                            domain::kSunZenith_deg.highest));
   Json answer = file.value();
   if (options.method == SolveMethod::monte_carlo) {
     const MonteCarloRequest request{read.observer_km, read.sun_zenith_deg, read.views};
-    const std::vector<MonteCarloRadiance> radiance = solve_monte_carlo(
-        read.shells, read.column, request, {options.photons, options.seed, options.orders, options.threads});
+    const std::vector<MonteCarloRadiance> radiance =
+        solve_monte_carlo(context, read.shells, read.column, request,
+                          {.photons = options.photons, .seed = options.seed, .orders = options.orders});
     for (std::size_t i = 0; i < radiance.size(); ++i) {
       write_radiance(answer["results"][i], radiance[i].radiance, radiance[i].standard_error);
       answer["results"][i]["photons"] = radiance[i].photons;
@@ -234,38 +223,39 @@ Json solve_shells(const JsonReader& file, const SolveOptions& options) {
   }
   const SkyRequest request{{read.observer_km}, {read.sun_zenith_deg}, read.views};
   TransferOptions transfer;
-  transfer.limits = options.limits;
-  transfer.threads = options.threads;
-  transfer.orders = options.orders;
-  const SkyRadiance radiance = solve_sky_radiance(read.shells, {&read.column, 1}, request, transfer);
+  transfer.discretisation = options.discretisation;
+  transfer.scattering_orders = options.orders;
+  const SkyRadiance radiance = solve_sky_radiance(context, read.shells, {&read.column, 1}, request, transfer);
   for (std::size_t i = 0; i < read.views.size(); ++i)
     write_radiance(answer["results"][i], static_cast<double>(radiance.at(0, 0, 0, i)), 0.0);
+  answer["instruction_set"] = radiance.report().kernel;
   if (options.orders > 0) {
     answer["orders"] = options.orders;
-    answer["truncation_error"] = truncation_error(read, request, transfer, radiance);
+    answer["truncation_error"] = truncation_error(context, read, request, transfer, radiance);
   }
   return answer;
 }
 
-Json solve_altitude_schema(const JsonReader& file, const SolveOptions& options) {
+Json solve_altitude_schema(const Context& context, const JsonReader& file, const SolveOptions& options) {
   if (file.has("polarised") && file.value()["polarised"] == Json(true))
     throw WorkError("{}: polarised is true, but polarisation is not computed: the solvers are scalar",
                     file.name());
   const JsonReader geometry = file.at("geometry");
-  if (geometry.text() == "spherical") return solve_shells(file, options);
+  if (geometry.text() == "spherical") return solve_shells(context, file, options);
   if (geometry.text() == "plane-parallel") return solve_plane_layers(file, options);
   geometry.refuse(fmt::format("\"{}\" must be \"spherical\" or \"plane-parallel\"", geometry.text()));
 }
 
 }  // namespace
 
-Json solve_case(const Json& document, const std::string& path, const SolveOptions& options) {
+Json solve_case(const Context& context, const Json& document, const std::string& path,
+                const SolveOptions& options) {
   const JsonReader file(document, path);
   if (!document.is_object()) file.refuse("must hold one JSON object, a solver case");
   if (file.has("outputs") == file.has("results"))
     file.refuse("must have one of the keys \"results\" (altitudes) and \"outputs\" (optical depths)");
   Json answer =
-      file.has("outputs") ? solve_depth_schema(file, options) : solve_altitude_schema(file, options);
+      file.has("outputs") ? solve_depth_schema(file, options) : solve_altitude_schema(context, file, options);
   answer["reference"] = fmt::format("skylut {}", kVersion);
   return answer;
 }

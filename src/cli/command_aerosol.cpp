@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <complex>
 #include <memory>
@@ -10,11 +9,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "number_options.hpp"
+#include "light_kinds.hpp"
+#include "options/file_kinds.hpp"
+#include "options/number_kinds.hpp"
 #include "program_context.hpp"
 #include "skylut/core/constants.hpp"
-#include "skylut/core/errors.hpp"
-#include "skylut/core/text.hpp"
 #include "skylut/report/aerosol_report.hpp"
 #include "skylut/scattering/aerosol_optics.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
@@ -24,45 +23,15 @@ namespace skylut::cli {
 namespace {
 
 struct MieOptions {
-  double size_parameter = 0.0;
-  std::string index;
-  std::string angles;
+  std::optional<double> size_parameter;
+  std::optional<std::complex<double>> index;
+  std::vector<double> angle_deg;
   bool json = false;
 };
 
-constexpr double kMostAngles = 100001.0;
-
-std::complex<double> parse_index(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 2)
-    throw InputError("--index '{}': must be RE,IM, for example 1.5,0.01 (IM > 0: absorbing)", text);
-  return {parse_number("--index real part", parts[0], {0.05, 20.0, ""}),
-          parse_number("--index imaginary part", parts[1], {0.0, 20.0, ""})};
-}
-
-// A list 0,10,90 or a range LO:HI:STEP, degrees.
-std::vector<double> parse_angles(const std::string& text) {
-  if (text.empty()) return {};
-  const NumberRange range{0.0, 180.0, "deg"};
-  const std::vector<std::string> parts = split(text, ':');
-  if (parts.size() == 1) return parse_numbers("--angles", text, range);
-  if (parts.size() != 3)
-    throw InputError("--angles '{}': must be a list 0,10,90 or LO:HI:STEP in degrees", text);
-  const double lowest = parse_number("--angles first", parts[0], range);
-  const double highest = parse_number("--angles last", parts[1], range);
-  const double step = parse_number("--angles step", parts[2], range);
-  const double steps = step > 0.0 ? std::round((highest - lowest) / step) : -1.0;
-  if (!(steps >= 0.0 && steps < kMostAngles && std::abs(lowest + steps * step - highest) < 1e-9 * 180.0))
-    throw InputError("--angles '{}': must be a whole number of steps upwards, at most {}", text,
-                     static_cast<int>(kMostAngles) - 1);
-  std::vector<double> angles;
-  for (int i = 0; i <= static_cast<int>(steps); ++i) angles.push_back(lowest + i * step);
-  return angles;
-}
-
 void show_mie(const MieOptions& options) {
-  const MieSphere sphere(options.size_parameter, parse_index(options.index));
-  const std::vector<double> angle_deg = parse_angles(options.angles);
+  const MieSphere sphere(*options.size_parameter, *options.index);
+  const std::vector<double>& angle_deg = options.angle_deg;
   std::vector<double> phase;
   for (const double angle : angle_deg)
     phase.push_back(sphere.phase_function(std::cos(angle * kRadiansPerDegree)));
@@ -83,19 +52,25 @@ void show_mie(const MieOptions& options) {
   for (std::size_t i = 0; i < angle_deg.size(); ++i) fmt::print("{:9g}   {:.8g}\n", angle_deg[i], phase[i]);
 }
 
-void add_mie(CLI::App& aerosol) {
-  CLI::App* mie = aerosol.add_subcommand("mie", "One sphere by Mie's theory: efficiencies, phase function");
+Command mie_command() {
   const auto options = std::make_shared<MieOptions>();
-  add_number(*mie, "--size-parameter", options->size_parameter, {1e-6, 1e5, ""}, "2 pi radius / wavelength")
-      ->default_str("")
-      ->required();
-  mie->add_option("--index", options->index, "refractive index; IM > 0 means absorbing")
-      ->required()
-      ->type_name("RE,IM");
-  mie->add_option("--angles", options->angles, "phase function at these scattering angles, degrees")
-      ->type_name("LIST|LO:HI:STEP");
-  mie->add_flag("--json", options->json, "write JSON, in full precision");
-  mie->callback([options] { show_mie(*options); });
+  Command command;
+  command.name = "mie";
+  command.summary = "one sphere by Mie's theory: efficiencies, phase function";
+  command.examples = {"skylut aerosol mie --size-parameter 5.213 --index 1.55,0",
+                      "skylut aerosol mie --size-parameter 10 --index 1.5,0.01 --angles 0:180:30"};
+  OptionSet& set = command.options;
+  set.add("--size-parameter", options->size_parameter, number(domain::kSizeParameter),
+          "2 pi radius / wavelength")
+      .required = true;
+  set.add("--index", options->index, refractive_index(), "refractive index; IM > 0 means absorbing")
+      .required = true;
+  set.add("--angles", options->angle_deg,
+          numbers_or_steps(domain::kAnyZenith_deg, domain::kMostScatteringAngles),
+          "phase function at these scattering angles, degrees");
+  set.add_flag("--json", options->json, "print JSON, in full precision");
+  command.run = [options](const OptionSet&) { show_mie(*options); };
+  return command;
 }
 
 void list_aerosols() {
@@ -104,14 +79,24 @@ void list_aerosols() {
     fmt::print("{:<26} {}\n", name, load_aerosol_description(context, name).description);
 }
 
+Command list_command() {
+  Command command;
+  command.name = "list";
+  command.summary = "names of the aerosols that come with skylut";
+  command.examples = {"skylut aerosol list"};
+  command.run = [](const OptionSet&) { list_aerosols(); };
+  return command;
+}
+
 struct ShowOptions {
   std::string name;
   std::optional<double> humidity_percent;
+  ComputingOptions computing;
   bool json = false;
 };
 
 void show_aerosol(const ShowOptions& options) {
-  const Context context = program_context();
+  const Context context = program_context(options.computing);
   const AerosolOptics optics = load_aerosol(context, options.name, options.humidity_percent);
   if (options.json)
     fmt::print("{}\n", aerosol_report_json(optics).dump(2));
@@ -119,29 +104,33 @@ void show_aerosol(const ShowOptions& options) {
     fmt::print("{}", aerosol_text(optics));
 }
 
-void add_show(CLI::App& aerosol) {
-  CLI::App* show = aerosol.add_subcommand("show", "Optics by wavelength, Angstrom exponents, vertical shape");
+Command show_command() {
   const auto options = std::make_shared<ShowOptions>();
-  show->add_option("name", options->name, "aerosol name or TOML file")->required();
-  show->add_option_function<std::string>(
-          "--humidity",
-          [options](const std::string& text) {
-            options->humidity_percent = parse_number("--humidity", text, {0.0, 99.0, "%"});
-          },
-          "relative humidity in percent, for particles that take up water; default: the file's")
-      ->type_name("NUMBER");
-  show->add_flag("--json", options->json, "write JSON, in full precision");
-  show->callback([options] { show_aerosol(*options); });
+  Command command;
+  command.name = "show";
+  command.summary = "optics by wavelength, Angstrom exponents, vertical shape";
+  command.examples = {"skylut aerosol show rural", "skylut aerosol show urban --humidity 80 --json"};
+  OptionSet& set = command.options;
+  set.add("AEROSOL", options->name, name_or_file(), "a name (skylut aerosol list) or a TOML file").required =
+      true;
+  set.add("--humidity", options->humidity_percent, number(domain::kHumidity_percent),
+          "relative humidity in percent, for particles that take up water; default: the file's");
+  set.add_flag("--json", options->json, "print JSON, in full precision");
+  options->computing.add_to(set);
+  command.run = [options](const OptionSet&) { show_aerosol(*options); };
+  return command;
 }
 
 }  // namespace
 
-void add_aerosol_command(CLI::App& program) {
-  CLI::App* aerosol = program.add_subcommand("aerosol", "Aerosols: which there are, what they do to light");
-  aerosol->require_subcommand(1);
-  aerosol->add_subcommand("list", "Names of the aerosols that come with skylut")->callback(list_aerosols);
-  add_show(*aerosol);
-  add_mie(*aerosol);
+Command aerosol_command() {
+  Command command;
+  command.name = "aerosol";
+  command.summary = "aerosols: which there are, what they do to light";
+  command.examples = {"skylut aerosol list", "skylut aerosol show rural",
+                      "skylut aerosol mie --size-parameter 5.213 --index 1.55,0"};
+  command.subcommands = {list_command(), show_command(), mie_command()};
+  return command;
 }
 
 }  // namespace skylut::cli

@@ -1,21 +1,19 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "advice.hpp"
 #include "commands.hpp"
-#include "directions_option.hpp"
-#include "number_options.hpp"
-#include "output_check.hpp"
-#include "program_context.hpp"
-#include "progress.hpp"
+#include "memory.hpp"
+#include "options/file_kinds.hpp"
+#include "options/number_kinds.hpp"
+#include "output.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
-#include "skylut/core/errors.hpp"
+#include "skylut/export/directions_csv.hpp"
 #include "skylut/export/projection.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/export/sky_exr.hpp"
@@ -27,69 +25,66 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kPictureGroup = "Picture (.exr)";
+
 struct MapOptions {
   SceneOptions scene;
   fs::path out;
   double altitude_km = 0.0;
   double turbidity = 0.1;
   SunOption sun;
-  std::string directions = "utm271";
-  std::string projection = "latlong";
-  std::string channels = "rgb";
-  int size = 256;
-  // Which of them were typed: options that exclude each other or belong to one kind of file.
-  const CLI::Option* turbidity_option = nullptr;
-  const CLI::Option* directions_option = nullptr;
-  std::vector<const CLI::Option*> picture_options;
+  std::optional<std::string> directions;  // of numbers; the others of pictures
+  std::optional<std::string> projection;
+  std::optional<std::string> channels;
+  std::optional<std::int64_t> size;
 };
 
-enum class FileKind { csv, exr };
-
-FileKind kind_of(const MapOptions& options) {
-  const std::string extension = options.out.extension().string();
-  const bool csv = extension == ".csv";
-  if (!csv && extension != ".exr")
-    throw InputError("-o '{}': must be the name of a .csv or .exr file", options.out.string());
-  if (!csv && options.directions_option->count() > 0)
-    throw InputError("--directions: is for .csv files, must not be given with {}", options.out.string());
-  for (const CLI::Option* option : options.picture_options)
-    if (csv && option->count() > 0)
-      throw InputError("{}: is for .exr files, must not be given with {}", option->get_name(),
-                       options.out.string());
-  return csv ? FileKind::csv : FileKind::exr;
+// Options of the other kind of file were not meant for this one; those of this one get their defaults, so
+// that they are recorded.
+void settle(MapOptions& options, const OptionSet& given) {
+  const bool picture = ending_of(options.out) == ".exr";
+  for (const Option& option : given.all())
+    if (option.given && (picture ? option.name == "--directions" : option.group == kPictureGroup))
+      throw InputError("{}: is for {} files, must not be given with {}", option.name,
+                       picture ? ".csv" : ".exr", options.out.string());
+  if (!picture) {
+    options.directions = options.directions.value_or("utm271");
+    return;
+  }
+  options.projection = options.projection.value_or("latlong");
+  options.channels = options.channels.value_or("rgb");
+  options.size = options.size.value_or(256);
 }
 
-SkyScene scene_of(const Context& context, const MapOptions& options) {
-  if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
-    throw InputError("--turbidity-kind: needs --turbidity");
+SkyScene scene_of(const Context& context, MapOptions& options) {
   SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
-  scene.turbidities = {{options.scene.turbidity_kind(), options.turbidity}};
-  options.sun.put_into(scene, options.scene, kLowestSun_deg);
+  scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
+  options.sun.put_into(scene, options.scene);
+  options.sun.require_above(domain::kSunZenith_deg.highest, scene.suns.front(),
+                            "the sky's light ends at 96 deg (night)");
   return scene;
 }
 
-std::string command_line(const MapOptions& options) {
-  std::string text = fmt::format("skylut map --altitude-km {} --turbidity {} {}", options.altitude_km,
-                                 options.turbidity, options.sun.command_line());
-  if (kind_of(options) == FileKind::csv)
-    text += fmt::format(" --directions {}", options.directions);
-  else
-    text += fmt::format(" --projection {} --size {} --channels {}", options.projection, options.size,
-                        options.channels);
-  return text + " " + options.scene.command_line();
+std::vector<Direction> directions_of(const std::string& name_or_file) {
+  if (name_or_file == "utm271") return directions_utm271();
+  if (name_or_file == "preetham343") return directions_preetham343();
+  std::error_code ignored;
+  if (!fs::exists(name_or_file, ignored))
+    throw InputError(
+        "--directions '{}': must be utm271, preetham343 or a CSV file with columns zenith_deg,azimuth_deg{}",
+        name_or_file, suggested(name_or_file, {"utm271", "preetham343"}));
+  return read_directions_csv(name_or_file);
 }
 
-Provenance provenance_of(const Context& context, const MapOptions& options, const SkyScene& scene) {
-  Provenance provenance = scene_provenance(context, scene, command_line(options));
-  provenance.describe("quality", options.scene.quality());
-  return provenance;
+RequestSize size_of(const SkyScene& scene) {
+  return {static_cast<double>(scene.directions.size()), static_cast<double>(scene.wavelengths.size())};
 }
 
-SkyMap simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
-  Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sky(context, scene, transfer).front();
+SkyMap simulate(const Context& context, const MapOptions& options, const SkyScene& scene) {
+  advise_on_turbidity(scene.turbidities, *scene.atmosphere);
+  advise_on_wavelengths(context, scene.wavelengths);
+  return simulate_sky(context, scene, options.scene.transfer()).front();
 }
 
 void print_facts(const SkyMap& map, const SkyScene& scene) {
@@ -102,26 +97,30 @@ void print_facts(const SkyMap& map, const SkyScene& scene) {
 }
 
 void write_csv(const Context& context, const MapOptions& options, SkyScene scene,
-               const TransferOptions& transfer) {
-  scene.directions = directions_of(options.directions);
-  scene.directions_name = options.directions;
-  require_writable_file("-o", options.out);
-  const SkyMap map = simulate(context, scene, transfer);
-  const Provenance provenance = provenance_of(context, options, scene);
-  write_text_atomically(options.out, sky_csv(map, provenance));
+               const std::string& command) {
+  scene.directions = directions_of(*options.directions);
+  scene.directions_name = *options.directions;
+  require_writable("-o", options.out);
+  require_memory(size_of(scene));
+  const SkyMap map = simulate(context, options, scene);
+  write_text_atomically(options.out, sky_csv(map, options.scene.provenance(context, scene, command)));
   print_facts(map, scene);
   fmt::print("wrote {}\n", options.out.string());
 }
 
 void write_exr(const Context& context, const MapOptions& options, SkyScene scene,
-               const TransferOptions& transfer) {
-  const std::unique_ptr<Projection> projection = make_projection(options.projection, options.size);
-  const std::vector<SkyChannels> channels = parse_sky_channels(options.channels);
-  for (const SkyChannels kind : channels) require_writable_file("-o", sky_exr_path(options.out, kind));
+               const std::string& command) {
+  const auto height = static_cast<int>(*options.size);
+  const std::unique_ptr<Projection> projection = make_projection(*options.projection, height);
+  const std::vector<SkyChannels> channels = parse_sky_channels(*options.channels);
+  for (const SkyChannels kind : channels) require_writable("-o", sky_exr_path(options.out, kind));
+  RequestSize size = size_of(scene);
+  size.spectral_file = std::find(channels.begin(), channels.end(), SkyChannels::spectral) != channels.end();
+  require_memory_for_picture(height, size);
   scene.directions = projection->directions();
   scene.directions_name = projection->name();
-  const SkyMap map = simulate(context, scene, transfer);
-  const Provenance provenance = provenance_of(context, options, scene);
+  const SkyMap map = simulate(context, options, scene);
+  const Provenance provenance = options.scene.provenance(context, scene, command);
   for (const SkyChannels kind : channels)
     write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind, provenance);
   print_facts(map, scene);
@@ -130,58 +129,51 @@ void write_exr(const Context& context, const MapOptions& options, SkyScene scene
   for (const SkyChannels kind : channels) fmt::print("wrote {}\n", sky_exr_path(options.out, kind).string());
 }
 
-void run(const MapOptions& options) {
-  const FileKind kind = kind_of(options);
-  Context context = program_context();
-  context.threads = options.scene.threads();
+void run(MapOptions& options, const OptionSet& given) {
+  require_turbidity_with_its_kind(given);
+  settle(options, given);
+  const Context context = options.scene.context();
   const SkyScene scene = scene_of(context, options);
-  const TransferOptions transfer = options.scene.transfer();
-  if (kind == FileKind::csv) return write_csv(context, options, scene, transfer);
-  write_exr(context, options, scene, transfer);
-}
-
-void add_picture_options(CLI::App& command, MapOptions& options) {
-  const std::string group = "Picture (.exr)";
-  options.picture_options = {
-      command.add_option("--projection", options.projection, "latlong")
-          ->capture_default_str()
-          ->type_name("NAME")
-          ->group(group),
-      add_count(command, "--size", options.size, 2, 8192, "height in pixels; latlong is twice as wide")
-          ->group(group),
-      command.add_option("--channels", options.channels, "rgb, xyz, spectral or several: rgb,spectral")
-          ->capture_default_str()
-          ->type_name("LIST")
-          ->group(group)};
+  const std::string command = given.command_line("skylut map");
+  if (options.size) return write_exr(context, options, scene, command);
+  write_csv(context, options, scene, command);
 }
 
 }  // namespace
 
-void add_map_command(CLI::App& program) {
+Command map_command() {
   const auto options = std::make_shared<MapOptions>();
-  CLI::App& command =
-      *program.add_subcommand("map", "simulate one sky, as numbers (.csv) or a picture (.exr)");
-  command.footer(
-      "\nA picture sky.exr goes to sky_rgb.exr, sky_xyz.exr and sky_spectral.exr, as --channels asks.\n"
-      "Examples:\n"
-      "  skylut map -o sky.csv --sun-zenith-deg 45 --turbidity 0.2\n"
-      "  skylut map -o sky.exr --sun-zenith-deg 85 --altitude-km 12 --size 512 --channels rgb,spectral\n"
-      "  skylut map -o sky.exr --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z");
-  command.add_option("-o,--output", options->out, "file to write: .csv or .exr")
-      ->required()
-      ->type_name("FILE");
-  add_number(command, "--altitude-km", options->altitude_km, {0.0, kHighestAltitude_km, "km"},
-             "of the observer above the ground, 0 to 30");
-  options->turbidity_option = add_number(command, "--turbidity", options->turbidity, {0.0, 1e6, ""},
-                                         "of the kind of --turbidity-kind");
-  options->sun.add_to(command, kLowestSun_deg);
-  options->directions_option =
-      command.add_option("--directions", options->directions, "utm271, preetham343 or a CSV file (for .csv)")
-          ->capture_default_str()
-          ->type_name("NAME|FILE");
-  add_picture_options(command, *options);
-  options->scene.add_to(command);
-  command.callback([options] { run(*options); });
+  Command command;
+  command.name = "map";
+  command.summary = "simulate one sky, as numbers (.csv) or a picture (.exr)";
+  command.notes =
+      "A picture sky.exr goes to sky_rgb.exr, sky_xyz.exr and sky_spectral.exr, as --channels asks.";
+  command.examples = {
+      "skylut map -o sky.csv --sun-zenith-deg 45 --turbidity 0.2",
+      "skylut map -o sky.exr --sun-zenith-deg 85 --altitude-km 12 --size 64 --channels rgb,spectral",
+      "skylut map -o sky.exr --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z"};
+  OptionSet& set = command.options;
+  Option& out =
+      set.add("--output", options->out, file_named({".csv", ".exr"}), "file to write: .csv or .exr");
+  out.short_name = "-o";
+  out.required = true;
+  out.recorded = false;
+  set.add("--altitude-km", options->altitude_km, number(domain::kObserver_km),
+          "of the observer above the ground, 0 to 30");
+  add_turbidity(set, options->turbidity);
+  options->sun.add_to(set, domain::kSunZenith_deg);
+  set.add("--directions", options->directions, name_or_file(),
+          "utm271 (default), preetham343 or a CSV file (for .csv)");
+  set.group(kPictureGroup);
+  set.add("--projection", options->projection, name_or_file(), "latlong").placeholder = "NAME";
+  set.add("--size", options->size, whole_number(domain::kPictureHeight_pixels),
+          "height in pixels, default 256; latlong is twice as wide");
+  set.add("--channels", options->channels, name_or_file(),
+          "rgb (default), xyz, spectral or several: rgb,spectral")
+      .placeholder = "LIST";
+  options->scene.add_to(set);
+  command.run = [options](const OptionSet& given) { run(*options, given); };
+  return command;
 }
 
 }  // namespace skylut::cli

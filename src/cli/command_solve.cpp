@@ -1,84 +1,91 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <limits>
-#include <map>
+#include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "commands.hpp"
-#include "skylut/core/json_reader.hpp"
-#include "number_options.hpp"
-#include "skylut/core/atomic_file.hpp"
-#include "skylut/core/errors.hpp"
+#include "options/file_kinds.hpp"
+#include "options/number_kinds.hpp"
+#include "output.hpp"
+#include "scene_options.hpp"
 #include "skylut/cases/solve_case.hpp"
-#include "skylut/core/text.hpp"
+#include "skylut/core/json_reader.hpp"
+#include "skylut/report/case_report.hpp"
 
 namespace skylut::cli {
+
 namespace {
 
 struct SolveArguments {
-  std::string input;
-  std::string output;
+  std::filesystem::path input;
+  std::optional<std::filesystem::path> out;
+  SolveMethod method = SolveMethod::standard;
   Quality quality = Quality::standard;
-  std::vector<std::string> limits;  // NAME=VALUE
-  SolveOptions options;
+  NamedNumbers limits;
+  std::int64_t photons = 100'000;
+  std::int64_t seed = 1;
+  std::int64_t orders = 0;
+  ComputingOptions computing;
 };
 
-QualityLimits quality_limits(const SolveArguments& arguments) {
-  QualityLimits limits = limits_of(arguments.quality);
-  for (const std::string& text : arguments.limits) {
-    const std::vector<std::string> parts = split(text, '=');
-    if (parts.size() != 2)
-      throw InputError("--limit '{}': must be NAME=VALUE, for example optical-step=0.01", text);
-    constexpr double kAny = std::numeric_limits<double>::max();
-    set_limit(limits, parts[0], parse_number("--limit " + parts[0], parts[1], {-kAny, kAny, ""}));
-  }
-  return limits;
+SolveOptions solve_options(const SolveArguments& arguments) {
+  SolveOptions options;
+  options.method = arguments.method;
+  options.discretisation = discretisation_of(arguments.quality);
+  for (const auto& [name, value] : arguments.limits) set_discretisation(options.discretisation, name, value);
+  options.orders = static_cast<int>(arguments.orders);
+  options.photons = static_cast<std::uint64_t>(arguments.photons);
+  options.seed = static_cast<std::uint64_t>(arguments.seed);
+  return options;
 }
 
-void run(SolveArguments& arguments) {
-  arguments.options.limits = quality_limits(arguments);
-  const nlohmann::ordered_json answer =
-      solve_case(read_json_file(arguments.input), arguments.input, arguments.options);
-  const std::string text = answer.dump(1) + "\n";
-  if (arguments.output.empty())
-    fmt::print("{}", text);
+void run(const SolveArguments& arguments) {
+  const SolveOptions options = solve_options(arguments);
+  const nlohmann::ordered_json answer = solve_case(program_context(arguments.computing),
+                                                   read_json_file(arguments.input), arguments.input, options);
+  if (arguments.out) write_result(*arguments.out, answer.dump(1) + "\n");
+  if (arguments.out && is_standard_output(*arguments.out)) return;
+  fmt::print("{}", solved_case_text(answer));
+  if (arguments.out)
+    fmt::print("wrote {}\n", arguments.out->string());
   else
-    write_text_atomically(arguments.output, text);
+    fmt::print("-o FILE writes the whole answer as JSON\n");
 }
 
 }  // namespace
 
-void add_solve_command(CLI::App& app) {
+Command solve_command() {
   const auto arguments = std::make_shared<SolveArguments>();
-  CLI::App* command = app.add_subcommand(
-      "solve", "Radiative transfer through explicit layers: a solver case with our radiances");
-  command->add_option("case", arguments->input, "Case file (JSON)")->required();
-  command->add_option("-o,--output", arguments->output, "Where to write; the screen if not given");
-  SolveOptions& options = arguments->options;
-  const std::map<std::string, SolveMethod> methods{{"default", SolveMethod::standard},
-                                                   {"monte-carlo", SolveMethod::monte_carlo}};
-  command->add_option("--method", options.method, "default or monte-carlo (spherical cases)")
-      ->transform(CLI::CheckedTransformer(methods));
-  const std::map<std::string, Quality> qualities{
-      {"draft", Quality::draft}, {"default", Quality::standard}, {"reference", Quality::reference}};
-  command->add_option("--quality", arguments->quality, "draft, default or reference (spherical solver)")
-      ->transform(CLI::CheckedTransformer(qualities));
-  command
-      ->add_option("--limit", arguments->limits,
-                   "Refine one number of the quality, for convergence studies: optical-step=0.01 and others")
-      ->delimiter(',')
-      ->type_name("NAME=VALUE");
-  command->add_option("--photons", options.photons, "Monte Carlo: photons per direction, default 100000");
-  command->add_option("--seed", options.seed, "Monte Carlo: seed, default 1");
-  command->add_option("--orders", options.orders, "Highest order of scattering; 0, the default: all")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--threads", options.threads, "Threads; 0, the default: all cores")
-      ->check(CLI::NonNegativeNumber);
-  command->callback([arguments] { run(*arguments); });
+  Command command;
+  command.name = "solve";
+  command.summary = "radiative transfer through explicit layers: a solver case with our radiances";
+  command.notes =
+      "Radiances go to the screen, the whole case with them to -o FILE as JSON (-o - : to the screen).";
+  command.examples = {"skylut profile case ussa1976 --wavelength-nm 550 --sun-zenith-deg 60 -o case.json",
+                      "skylut solve case.json -o solved.json",
+                      "skylut solve case.json --method monte-carlo --photons 2000 --seed 7"};
+  OptionSet& set = command.options;
+  set.add("CASE", arguments->input, file_in(), "case file (JSON)").required = true;
+  Option& out = set.add("--output", arguments->out, file_out(), "file for the answer as JSON");
+  out.short_name = "-o";
+  out.recorded = false;
+  set.add(
+      "--method", arguments->method,
+      choice<SolveMethod>({{"default", SolveMethod::standard}, {"monte-carlo", SolveMethod::monte_carlo}}),
+      "default or monte-carlo (spherical cases)");
+  set.add("--quality", arguments->quality, quality_kind(), "draft, default or reference (spherical solver)");
+  set.add("--limit", arguments->limits, named_numbers(),
+          "refine one number of the quality, for convergence studies: optical-step=0.01 and others")
+      .repeatable = true;
+  set.add("--photons", arguments->photons, whole_number(domain::kPhotons),
+          "Monte Carlo: photons per direction");
+  set.add("--seed", arguments->seed, whole_number(domain::kSeed), "Monte Carlo: of its random numbers");
+  set.add("--orders", arguments->orders, whole_number(domain::kScatteringOrders),
+          "highest order of scattering; 0: all");
+  arguments->computing.add_to(set);
+  command.run = [arguments](const OptionSet&) { run(*arguments); };
+  return command;
 }
 
 }  // namespace skylut::cli

@@ -1,20 +1,19 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "advice.hpp"
 #include "commands.hpp"
-#include "number_options.hpp"
-#include "output_check.hpp"
-#include "program_context.hpp"
-#include "progress.hpp"
+#include "options/file_kinds.hpp"
+#include "options/number_kinds.hpp"
+#include "output.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
-#include "skylut/core/errors.hpp"
 #include "skylut/export/sun_file.hpp"
 #include "skylut/models/closed_form_sun.hpp"
+#include "skylut/report/sun_report.hpp"
 #include "sun_option.hpp"
 
 namespace skylut::cli {
@@ -23,162 +22,109 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kNadir_deg = 180.0;
+// Of the direct beam: none is ours, through shells.
+using Model = std::optional<ClosedFormModel>;
 
-struct CommandOptions {
+struct SunOptions {
   SceneOptions scene;
-  fs::path out;
+  std::optional<fs::path> out;
   double altitude_km = 0.0;
   double turbidity = 0.1;
   SunOption sun;
   bool no_diffuse = false;
   double circumsolar_deg = 0.0;
-  std::string model = "shells";
-  const CLI::Option* turbidity_option = nullptr;
+  Model model;
 };
 
-enum class FileKind { none, csv, json };
-
-FileKind kind_of(const fs::path& file) {
-  if (file.empty()) return FileKind::none;
-  if (file.extension() == ".csv") return FileKind::csv;
-  if (file.extension() == ".json") return FileKind::json;
-  throw InputError("-o '{}': must be the name of a .csv or .json file", file.string());
+Kind<Model> model_kind() {
+  return choice<Model>({{"shells", std::nullopt},
+                        {"iqbal", ClosedFormModel::iqbal},
+                        {"smarts-like", ClosedFormModel::smarts_like}});
 }
 
-std::optional<ClosedFormModel> model_of(const CommandOptions& options) {
-  if (options.model == "shells") return std::nullopt;
-  const ClosedFormModel model = parse_closed_form_model(options.model);
-  if (options.circumsolar_deg > 0.0)
+void require_low_enough_demands(const SunOptions& options, const Direction& sun) {
+  if (options.model)
+    options.sun.require_above(90.0, sun, "closed forms end at the horizon, 90 deg");
+  else if (!options.no_diffuse)
+    options.sun.require_above(domain::kSunZenith_deg.highest, sun,
+                              "diffuse light ends at 96 deg (night): use --no-diffuse");
+}
+
+SkyScene scene_of(const Context& context, SunOptions& options) {
+  if (options.model && options.circumsolar_deg > 0.0)
     throw InputError("--circumsolar-deg {}: --model {} has no diffuse light, must not be given with it",
-                     options.circumsolar_deg, options.model);
-  return model;
-}
-
-SkyScene scene_of(const Context& context, const CommandOptions& options) {
-  if (options.scene.turbidity_kind_given() && options.turbidity_option->count() == 0)
-    throw InputError("--turbidity-kind: needs --turbidity");
+                     options.circumsolar_deg, model_kind().write(options.model));
   SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
-  scene.turbidities = {{options.scene.turbidity_kind(), options.turbidity}};
+  scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
+  options.sun.put_into(scene, options.scene);
   // Without diffuse light the sun may be anywhere: its position is wanted at night, too.
-  options.sun.put_into(scene, options.scene, kNadir_deg);
+  require_low_enough_demands(options, scene.suns.front());
   return scene;
 }
 
-std::string command_line(const CommandOptions& options) {
-  std::string text = fmt::format("skylut sun --altitude-km {} --turbidity {} {}", options.altitude_km,
-                                 options.turbidity, options.sun.command_line());
-  if (options.no_diffuse) text += " --no-diffuse";
-  if (options.circumsolar_deg > 0.0) text += fmt::format(" --circumsolar-deg {}", options.circumsolar_deg);
-  if (options.model != "shells") text += fmt::format(" --model {}", options.model);
-  return text + " " + options.scene.command_line();
-}
-
-Provenance provenance_of(const Context& context, const CommandOptions& options, const SkyScene& scene) {
-  Provenance provenance = scene_provenance(context, scene, command_line(options));
-  provenance.describe("quality", options.scene.quality());
-  return provenance;
-}
-
-SunIrradiance simulate(const Context& context, const SkyScene& scene, const CommandOptions& options,
-                       TransferOptions transfer) {
-  Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg}, transfer);
-}
-
-void print_line(const char* what, const std::vector<double>& irradiance, const SunIrradiance& sun) {
-  if (irradiance.empty()) return;
-  fmt::print("  {:<20} {:10.3f} W/m2 {:11.0f} lux\n", what, broadband_W_m2(irradiance, sun.wavelengths),
-             illuminance_lux(irradiance, sun.luminous_weight));
-}
-
 void print_facts(const SunIrradiance& sun, const SkyScene& scene) {
-  const Direction& direction = sun.sun;
   fmt::print("sun {:.4f} deg from the zenith, azimuth {:.4f} deg, {:.5f} au away, seen from {} km\n",
-             direction.zenith_deg, direction.azimuth_deg, scene.sun_distance_au, scene.altitudes_km[0]);
+             sun.sun.zenith_deg, sun.sun.azimuth_deg, scene.sun_distance_au, scene.altitudes_km[0]);
   fmt::print("{}\n", turbidity_text(scene.turbidities[0], *scene.atmosphere));
   if (!sun.beam_arrives) fmt::print("the ground hides the sun: no direct beam\n");
-  const double half_nm = 0.5 * sun.wavelengths.step_nm();
-  fmt::print("sums over {}-{} nm\n", sun.wavelengths.first_nm() - half_nm,
-             sun.wavelengths.last_nm() + half_nm);
-  print_line("direct normal", sun.direct_normal, sun);
-  print_line("circumsolar normal", sun.circumsolar_normal, sun);
-  print_line("diffuse horizontal", sun.diffuse_horizontal, sun);
-  print_line("global horizontal", sun.global_horizontal(), sun);
-  print_line("extraterrestrial", sun.extraterrestrial, sun);
+  fmt::print("{}", sun_sums_text(sun));
 }
 
-// Some twenty lines: every wavelength of a coarse grid, a choice of a fine one.
-void print_table(const SunIrradiance& sun) {
-  constexpr std::size_t kMostLines = 21;
-  const std::vector<double> global = sun.global_horizontal();
-  std::string head = fmt::format("{:>8} {:>9}", "nm", "direct");
-  if (!global.empty()) head += fmt::format(" {:>9} {:>9}", "diffuse", "global");
-  for (const ConstituentTransmittance& constituent : sun.transmittance)
-    head += fmt::format(" {:>9}", constituent.name);
-  fmt::print("{}   (W m-2 nm-1; transmittances)\n", head);
-  const std::size_t stride = (sun.wavelengths.size() + kMostLines - 1) / kMostLines;
-  for (std::size_t i = 0; i < sun.wavelengths.size(); i += stride) {
-    std::string line = fmt::format("{:8g} {:9.5f}", sun.wavelengths[i], sun.direct_normal[i]);
-    if (!global.empty()) line += fmt::format(" {:9.5f} {:9.5f}", sun.diffuse_horizontal[i], global[i]);
-    for (const ConstituentTransmittance& constituent : sun.transmittance)
-      line += fmt::format(" {:9.5f}", constituent.band_mean[i]);
-    fmt::print("{}\n", line);
-  }
-}
-
-void run(const CommandOptions& options) {
-  const FileKind kind = kind_of(options.out);
-  Context context = program_context();
-  context.threads = options.scene.threads();
-  const std::optional<ClosedFormModel> model = model_of(options);
+void run(SunOptions& options, const OptionSet& given) {
+  require_turbidity_with_its_kind(given);
+  if (options.out) require_writable("-o", *options.out);
+  const Context context = options.scene.context();
   const SkyScene scene = scene_of(context, options);
-  const TransferOptions transfer = options.scene.transfer();
-  if (kind != FileKind::none) require_writable_file("-o", options.out);
-  const SunIrradiance sun =
-      model ? simulate_sun_closed_form(context, scene, *model) : simulate(context, scene, options, transfer);
-  if (kind == FileKind::csv) write_text_atomically(options.out, sun_csv(sun));
-  if (kind == FileKind::json)
-    write_text_atomically(options.out,
-                          sun_json(sun, scene, options.model, provenance_of(context, options, scene)));
+  advise_on_turbidity(scene.turbidities, *scene.atmosphere);
+  advise_on_wavelengths(context, scene.wavelengths);
+  const SunIrradiance sun = options.model
+                                ? simulate_sun_closed_form(context, scene, *options.model)
+                                : simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg},
+                                               options.scene.transfer());
+  if (!options.out) {
+    print_facts(sun, scene);
+    fmt::print("{}", sun_spectrum_text(sun));
+    return;
+  }
+  const bool json = ending_of(*options.out) == ".json";
+  const std::string method = model_kind().write(options.model);
+  write_text_atomically(*options.out, json ? sun_json(sun, scene, method,
+                                                      options.scene.provenance(
+                                                          context, scene, given.command_line("skylut sun")))
+                                           : sun_csv(sun));
   print_facts(sun, scene);
-  if (kind == FileKind::none)
-    print_table(sun);
-  else
-    fmt::print("wrote {}\n", options.out.string());
+  fmt::print("wrote {}\n", options.out->string());
 }
 
 }  // namespace
 
-void add_sun_command(CLI::App& program) {
-  const auto options = std::make_shared<CommandOptions>();
-  CLI::App& command = *program.add_subcommand(
-      "sun", "where the sun stands, its spectral irradiance through the air and the sky's");
-  command.footer(
-      "\nSums and a short table go to the screen, the whole spectrum to a .csv or .json file.\n"
-      "Examples:\n"
-      "  skylut sun --sun-zenith-deg 48.2 --turbidity 0.084 --solar astm-g173 -o sun.csv\n"
-      "  skylut sun --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z --no-diffuse\n"
-      "  skylut sun --sun-zenith-deg 60 --model iqbal");
-  command.add_option("-o,--output", options->out, "file to write: .csv or .json; default: the screen only")
-      ->type_name("FILE");
-  add_number(command, "--altitude-km", options->altitude_km, {0.0, kHighestAltitude_km, "km"},
-             "of the observer above the ground, 0 to 30");
-  options->turbidity_option = add_number(command, "--turbidity", options->turbidity, {0.0, 1e6, ""},
-                                         "of the kind of --turbidity-kind");
-  options->sun.add_to(command, kNadir_deg);
-  command.add_flag("--no-diffuse", options->no_diffuse, "only the direct beam, in an instant");
-  add_number(command, "--circumsolar-deg", options->circumsolar_deg, {0.0, 10.0, "deg"},
-             "also the diffuse light within this angle of the sun, 0 to 10; 0: not");
-  command
-      .add_option("--model", options->model,
-                  "shells (ours), or a closed form for the direct beam alone: iqbal or smarts-like")
-      ->capture_default_str()
-      ->type_name("NAME");
-  options->scene.add_to(command);
-  command.callback([options] { run(*options); });
+Command sun_command() {
+  const auto options = std::make_shared<SunOptions>();
+  Command command;
+  command.name = "sun";
+  command.summary = "where the sun stands, its spectral irradiance through the air and the sky's";
+  command.notes = "Sums and a short table go to the screen, the whole spectrum to a .csv or .json file.";
+  command.examples = {"skylut sun --sun-zenith-deg 48.2 --turbidity 0.084 --solar astm-g173 -o sun.csv",
+                      "skylut sun --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z --no-diffuse",
+                      "skylut sun --sun-zenith-deg 60 --model iqbal"};
+  OptionSet& set = command.options;
+  Option& out = set.add("--output", options->out, file_named({".csv", ".json"}),
+                        "file to write: .csv or .json; default: the screen only");
+  out.short_name = "-o";
+  out.recorded = false;
+  set.add("--altitude-km", options->altitude_km, number(domain::kObserver_km),
+          "of the observer above the ground, 0 to 30");
+  add_turbidity(set, options->turbidity);
+  options->sun.add_to(set, domain::kAnyZenith_deg);
+  set.add_flag("--no-diffuse", options->no_diffuse, "only the direct beam, in an instant");
+  set.add("--circumsolar-deg", options->circumsolar_deg, number(domain::kCircumsolar_deg),
+          "also the diffuse light within this angle of the sun, 0 to 10; 0: not");
+  set.add("--model", options->model, model_kind(),
+          "shells (ours), or a closed form for the direct beam alone: iqbal or smarts-like");
+  options->scene.add_to(set);
+  command.run = [options](const OptionSet& given) { run(*options, given); };
+  return command;
 }
 
 }  // namespace skylut::cli

@@ -1,25 +1,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "advice.hpp"
 #include "commands.hpp"
-#include "number_options.hpp"
-#include "output_check.hpp"
-#include "program_context.hpp"
-#include "progress.hpp"
+#include "light_kinds.hpp"
+#include "memory.hpp"
+#include "options/file_kinds.hpp"
+#include "options/number_kinds.hpp"
+#include "output.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
-#include "skylut/core/errors.hpp"
+#include "skylut/core/writable.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/report/table_summary.hpp"
 #include "skylut/table/fit_table.hpp"
 #include "skylut/table/table_csv.hpp"
 #include "skylut/table/table_json.hpp"
+#include "weights_kind.hpp"
 
 namespace skylut::cli {
 
@@ -33,62 +34,54 @@ struct TableOptions {
   fs::path out;
   std::vector<double> altitudes_km{0.0, 6.0, 12.0, 20.0, 30.0};
   std::vector<double> turbidities{0.0, 0.5, 1.0};
-  std::string suns = "90:90,45:90,0:0,45:270,90:270";
-  std::string weights = "uniform";
+  std::vector<Direction> suns{{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}};
+  SampleWeights weights = SampleWeights::uniform;
   bool save_maps = false;
 };
 
-SampleWeights parse_weights(const std::string& text) {
-  if (text == "uniform") return SampleWeights::uniform;
-  if (text == "solid-angle") return SampleWeights::solid_angle;
-  throw InputError("--weights '{}': must be uniform or solid-angle", text);
-}
-
 // A look-up table with two rows for one key would be ambiguous.
 template <class T>
-void require_different(const char* option, const std::vector<T>& values, const std::string& text) {
+void require_different(const char* option, const std::vector<T>& values, const Kind<std::vector<T>>& kind) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::find(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(i), values[i]) !=
-        values.begin() + static_cast<std::ptrdiff_t>(i))
-      throw InputError("{} {}: number {} is given twice, must be different", option, text, i + 1);
+    if (const auto here = values.begin() + static_cast<std::ptrdiff_t>(i);
+        std::find(values.begin(), here, *here) != here)
+      throw InputError("{}: {} (number {}) is given twice, must be different", option, kind.write({*here}),
+                       i + 1);
 }
 
 SkyScene scene_of(const Context& context, const TableOptions& options) {
-  require_different("--altitudes-km", options.altitudes_km,
-                    fmt::format("{}", fmt::join(options.altitudes_km, ",")));
-  require_different("--turbidities", options.turbidities,
-                    fmt::format("{}", fmt::join(options.turbidities, ",")));
+  require_different("--altitudes-km", options.altitudes_km, numbers(domain::kObserver_km));
+  require_different("--turbidities", options.turbidities, numbers(domain::kTurbidityValue));
+  require_different("--suns", options.suns, suns());
   SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = options.altitudes_km;
   for (const double value : options.turbidities)
-    scene.turbidities.push_back({options.scene.turbidity_kind(), value});
-  scene.suns = parse_suns(options.suns);
-  require_different("--suns", scene.suns, options.suns);
+    scene.turbidities.push_back({options.scene.air().turbidity_kind(), value});
+  scene.suns = options.suns;
   scene.directions = directions_utm271();
   scene.directions_name = "utm271";
   return scene;
 }
 
-std::string command_line(const TableOptions& options) {
-  return fmt::format("skylut table --altitudes-km {} --turbidities {} --suns {} --weights {} {}",
-                     fmt::join(options.altitudes_km, ","), fmt::join(options.turbidities, ","), options.suns,
-                     options.weights, options.scene.command_line());
-}
-
-Provenance provenance_of(const Context& context, const TableOptions& options, const SkyScene& scene) {
-  Provenance provenance = scene_provenance(context, scene, command_line(options));
-  provenance.describe("quality", options.scene.quality());
-  provenance.describe("weights", options.weights);
-  return provenance;
+void advise_and_check(const Context& context, const SkyScene& scene) {
+  require_memory({static_cast<double>(scene.directions.size()), static_cast<double>(scene.wavelengths.size()),
+                  static_cast<double>(scene.turbidities.size()),
+                  static_cast<double>(scene.altitudes_km.size()), static_cast<double>(scene.suns.size())});
+  advise_on_turbidity(scene.turbidities, *scene.atmosphere);
+  advise_on_wavelengths(context, scene.wavelengths);
 }
 
 void require_writable_outputs(const TableOptions& options) {
-  require_writable_folder("--out", options.out);
-  if (options.save_maps) require_writable_folder("--out", options.out / "maps");
+  const auto folder = options.save_maps ? options.out / "maps" : options.out;
+  try {
+    require_writable_folder(folder);
+  } catch (const InputError& error) {
+    throw InputError("--out {}: {}", options.out.string(), error.what());
+  }
   std::error_code ignored;
   if (!fs::is_directory(options.out, ignored)) return;
-  require_writable_file("--out", options.out / "table.csv");
-  require_writable_file("--out", options.out / "table.json");
+  require_writable("--out", options.out / "table.csv");
+  require_writable("--out", options.out / "table.json");
 }
 
 void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps, const Provenance& provenance) {
@@ -97,74 +90,60 @@ void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps, const P
     write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i], provenance));
 }
 
-std::vector<SkyMap> simulate(const Context& context, const SkyScene& scene, TransferOptions transfer) {
-  Progress progress("solving the radiative transfer:");
-  transfer.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return simulate_sky(context, scene, transfer);
-}
-
-SkyTable fit(Context context, const std::vector<SkyMap>& maps, const SkyFitOptions& options) {
-  Progress progress("fitting:");
-  context.progress = [&](std::string_view, std::size_t done, std::size_t all) { progress.show(done, all); };
-  return fit_table(context, maps, options);
-}
-
-void run(const TableOptions& options) {
-  Context context = program_context();
-  context.threads = options.scene.threads();
-  const SkyScene scene = scene_of(context, options);
-  const TransferOptions transfer = options.scene.transfer();
-  SkyFitOptions fit_options;
-  fit_options.weights = parse_weights(options.weights);
+void run(const TableOptions& options, const std::string& command_line) {
   require_writable_outputs(options);
+  const Context context = options.scene.context();
+  const SkyScene scene = scene_of(context, options);
+  advise_and_check(context, scene);
 
-  const std::vector<SkyMap> maps = simulate(context, scene, transfer);
-  const SkyTable table = fit(context, maps, fit_options);
+  const std::vector<SkyMap> maps = simulate_sky(context, scene, options.scene.transfer());
+  SkyFitOptions fit_options;
+  fit_options.weights = options.weights;
+  const SkyTable table = fit_table(context, maps, fit_options);
 
   create_folder(options.out);
-  const Provenance provenance = provenance_of(context, options, scene);
+  Provenance provenance = options.scene.provenance(context, scene, command_line);
+  provenance.describe("weights", weights_kind().write(options.weights));
   if (options.save_maps) write_maps(options.out / "maps", maps, provenance);
   write_text_atomically(options.out / "table.json", table_json(table, scene.directions, provenance));
   write_table_csv(options.out / "table.csv", table.entries);
 
   for (const Turbidity& turbidity : scene.turbidities)
     fmt::print("{}\n", turbidity_text(turbidity, *scene.atmosphere));
-  fmt::print("\n{}", table_summary(table, std::string(turbidity_kind_name(options.scene.turbidity_kind()))));
+  fmt::print("\n{}", table_summary(table, std::string(turbidity_kind_name(scene.turbidities.front().kind))));
   fmt::print("wrote {} and table.json{}\n", (options.out / "table.csv").string(),
              options.save_maps ? fmt::format(", {} maps in maps", maps.size()) : "");
 }
 
 }  // namespace
 
-void add_table_command(CLI::App& program) {
+Command table_command() {
   const auto options = std::make_shared<TableOptions>();
-  CLI::App& command = *program.add_subcommand("table", "simulate skies and fit them: the coefficient table");
-  command.footer(
-      "\nWrites DIR/table.csv and DIR/table.json; one row per altitude, turbidity and sun, in that order.\n"
-      "Examples:\n"
-      "  skylut table --out out/table\n"
-      "  skylut table --out out/city --turbidity-kind preetham-t --turbidities 2,4,6 --albedo 0.15\n"
-      "  skylut table --out out/quick --altitudes-km 0 --suns 45:180 --wavelengths-nm 380:780:20 "
-      "--save-maps");
-  command.add_option("--out", options->out, "folder for the results, created if need be")
-      ->required()
-      ->type_name("DIR");
-  add_numbers(command, "--altitudes-km", options->altitudes_km, {0.0, kHighestAltitude_km, "km"},
-              "of the observers above the ground, 0 to 30");
-  add_numbers(command, "--turbidities", options->turbidities, {0.0, 1e6, ""},
-              "of the kind of --turbidity-kind");
-  command
-      .add_option("--suns", options->suns,
-                  "zenith angle (0 to 96) and azimuth (clockwise from north) in degrees")
-      ->capture_default_str()
-      ->type_name("Z:A,...");
-  command.add_option("--weights", options->weights, "of the directions in the fits: uniform or solid-angle")
-      ->capture_default_str()
-      ->type_name("NAME");
-  command.add_flag("--save-maps", options->save_maps,
-                   "also write each row's sky, DIR/maps/entry_001.csv ...");
-  options->scene.add_to(command);
-  command.callback([options] { run(*options); });
+  Command command;
+  command.name = "table";
+  command.summary = "simulate skies and fit them: the coefficient table";
+  command.notes =
+      "Writes DIR/table.csv and DIR/table.json; one row per altitude, turbidity and sun, in that order.";
+  command.examples = {
+      "skylut table --out out/table",
+      "skylut table --out out/city --turbidity-kind preetham-t --turbidities 2,4,6 --albedo 0.15",
+      "skylut table --out out/quick --altitudes-km 0 --suns 45:180 --wavelengths-nm 380:780:20 --save-maps"};
+  OptionSet& set = command.options;
+  Option& out = set.add("--out", options->out, folder_out(), "folder for the results, created if need be");
+  out.required = true;
+  out.recorded = false;
+  set.add("--altitudes-km", options->altitudes_km, numbers(domain::kObserver_km),
+          "of the observers above the ground, 0 to 30");
+  set.add("--turbidities", options->turbidities, numbers(domain::kTurbidityValue),
+          "of the kind of --turbidity-kind");
+  set.add("--suns", options->suns, suns(),
+          "zenith angle (0 to 96) and azimuth (clockwise from north) in degrees");
+  set.add("--weights", options->weights, weights_kind(),
+          "of the directions in the fits: uniform or solid-angle");
+  set.add_flag("--save-maps", options->save_maps, "also write each row's sky, DIR/maps/entry_001.csv ...");
+  options->scene.add_to(set);
+  command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut table")); };
+  return command;
 }
 
 }  // namespace skylut::cli

@@ -1,35 +1,36 @@
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "options/command.hpp"
 
-/// The subcommands of the program, one file each: command_<name>.cpp. Each adds itself with its options
-/// and runs when it was asked for, once all its options are read.
+/// The commands of the program, one file each: command_<name>.cpp. Each declares its options, and checks,
+/// calls the library and prints when it runs.
 namespace skylut::cli {
 
 /// `skylut table --out DIR`: simulate, fit, write the coefficient table.
-void add_table_command(CLI::App& program);
+Command table_command();
 
 /// `skylut map -o sky.exr|sky.csv`: one sky.
-void add_map_command(CLI::App& program);
+Command map_command();
 
 /// `skylut fit FILE`: Perez coefficients of any sky.
-void add_fit_command(CLI::App& program);
+Command fit_command();
 
 /// `skylut compare DIR|FILE --against NAME`: a table or sky beside a published model.
-void add_compare_command(CLI::App& program);
+Command compare_command();
 
-/// `skylut profile list|show NAME`: the atmospheres.
-void add_profile_command(CLI::App& program);
+/// `skylut profile list|show NAME|case NAME`: the atmospheres.
+Command profile_command();
+
+/// `skylut profile case NAME`: the air at one wavelength as a case for `skylut solve`.
+Command profile_case_command();
 
 /// `skylut aerosol list|show NAME|mie`: what particles do to light.
-void add_aerosol_command(CLI::App& program);
+Command aerosol_command();
 
 /// `skylut solve CASE.json`: radiative transfer through explicit layers.
-void add_solve_command(CLI::App& program);
+Command solve_command();
 
 /// `skylut sun`: where the sun stands and its spectral irradiance.
-void add_sun_command(CLI::App& program);
+Command sun_command();
 
 }  // namespace skylut::cli

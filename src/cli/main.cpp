@@ -1,12 +1,12 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 
 #include "commands.hpp"
+#include "output.hpp"
 #include "signals.hpp"
 #include "skylut/core/errors.hpp"
-#include "skylut/core/version.hpp"
 
 namespace {
 
@@ -14,26 +14,8 @@ constexpr int kDone = 0;
 constexpr int kWorkFailed = 1;
 constexpr int kRequestWrong = 2;
 
-constexpr const char* kExamples = R"(
-Examples:
-  skylut table --out out/table                      the 75-entry table: table.csv, table.json
-  skylut table --out out/high --altitudes-km 10,15 --turbidities 0.05 --suns 30:180,60:180
-  skylut map -o sky.exr --sun-zenith-deg 60         one sky as a picture: sky_rgb.exr
-  skylut map -o sky.csv --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z
-
-Exit codes: 0 done, 1 the work failed, 2 the request was wrong.
-Help on one command: skylut COMMAND --help)";
-
-// An error is one line whatever its source.
-std::string in_one_line(std::string text) {
-  for (char& character : text)
-    if (character == '\n' || character == '\r') character = ' ';
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
-}
-
 int fail(int exit_code, const std::string& message) {
-  std::fprintf(stderr, "skylut: %s\n", in_one_line(message).c_str());
+  std::fprintf(stderr, "skylut: %s\n", skylut::cli::in_one_line(message).c_str());
   return exit_code;
 }
 
@@ -44,45 +26,28 @@ int finish() {
   return kDone;
 }
 
-std::string help_of(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? "skylut --help" : "skylut " + chosen.front()->get_name() + " --help";
+skylut::cli::Command program() {
+  using namespace skylut::cli;
+  Command program;
+  program.name = "skylut";
+  program.summary = "skylut turns an atmosphere into a fitted sky model.";
+  program.notes =
+      "Exit codes: 0 done, 1 the work failed, 2 the request was wrong.\n"
+      "Help on one command: skylut COMMAND --help";
+  program.examples = {
+      "skylut table --out out/table",
+      "skylut table --out out/high --altitudes-km 10,15 --turbidities 0.05 --suns 30:180,60:180",
+      "skylut map -o sky.exr --sun-zenith-deg 60",
+      "skylut map -o sky.csv --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z"};
+  program.subcommands = {table_command(),   map_command(),     fit_command(),   compare_command(),
+                         profile_command(), aerosol_command(), solve_command(), sun_command()};
+  return program;
 }
 
-// CLI11 would only say that a command is missing.
-void require_known_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == argv[1]) return;
-    names += (names.empty() ? "" : ", ") + command->get_name();
-  }
-  throw skylut::InputError("command '{}': must be one of {}", argv[1], names);
-}
-
-int run(int argc, char** argv) {
-  CLI::App app{"skylut turns an atmosphere into a fitted sky model.", "skylut"};
-  app.set_version_flag("--version", std::string("skylut ") + skylut::kVersion);
-  app.require_subcommand(1);
-  app.footer(kExamples);
-  skylut::cli::add_table_command(app);
-  skylut::cli::add_map_command(app);
-  skylut::cli::add_fit_command(app);
-  skylut::cli::add_compare_command(app);
-  skylut::cli::add_profile_command(app);
-  skylut::cli::add_aerosol_command(app);
-  skylut::cli::add_solve_command(app);
-  skylut::cli::add_sun_command(app);
-  require_known_command(app, argc, argv);
-  try {
-    app.parse(argc, argv);
-    return finish();
-  } catch (const CLI::Success& help_or_version) {
-    app.exit(help_or_version);
-    return finish();
-  } catch (const CLI::ParseError& error) {
-    return fail(kRequestWrong, std::string(error.what()) + " (see " + help_of(app) + ")");
-  }
+std::string as_typed(int argc, char** argv) {
+  std::string line = "skylut";
+  for (int i = 1; i < argc; ++i) line += " " + skylut::cli::shell_quoted(argv[i]);
+  return line;
 }
 
 }  // namespace
@@ -90,9 +55,13 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   skylut::cli::end_cleanly_on_signals();
   try {
-    return run(argc, argv);
+    skylut::cli::Command skylut = program();
+    skylut::cli::run_command_line(skylut, argc, argv);
+    return finish();
   } catch (const skylut::InputError& error) {
     return fail(kRequestWrong, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kWorkFailed, as_typed(argc, argv) + ": not enough memory, ask for less at a time");
   } catch (const std::exception& error) {
     return fail(kWorkFailed, error.what());
   }

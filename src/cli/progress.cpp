@@ -4,24 +4,41 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <utility>
 
 namespace skylut::cli {
 
-Progress::Progress(std::string what) : what_(std::move(what)), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
-
-Progress::~Progress() {
-  if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
+std::string progress_text(double elapsed_s, std::size_t done, std::size_t all) {
+  constexpr double kEvidence_s = 1.0;
+  constexpr double kEvidencePart = 0.05;
+  const double part = all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
+  std::string text = fmt::format("{:.0f} %", 100.0 * part);
+  if (elapsed_s >= kEvidence_s && part >= kEvidencePart)
+    text += fmt::format(", {:.0f} s left", elapsed_s * (1.0 - part) / part);
+  return text;
 }
 
-void Progress::show(std::size_t done, std::size_t all) {
+Progress::Progress() : on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
+  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  shown_ = false;
+}
+
+void Progress::show(std::string_view stage, std::size_t done, std::size_t all) {
+  if (!on_terminal_) return;
   const Clock::time_point now = Clock::now();
-  if (!on_terminal_ || done == 0 || now - last_ < std::chrono::milliseconds(100)) return;
+  if (stage != stage_) {
+    stage_ = stage;
+    start_ = now;
+  }
+  if (done >= all) return clear();
+  if (now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
+  shown_ = true;
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-  const double left_s = elapsed_s * static_cast<double>(all - done) / static_cast<double>(done);
-  fmt::print(stderr, "\r\x1b[K{} {:.0f} %, {:.0f} s left", what_,
-             100.0 * static_cast<double>(done) / static_cast<double>(all), left_s);
+  fmt::print(stderr, "\r\x1b[K{}: {}", stage_, progress_text(elapsed_s, done, all));
   std::fflush(stderr);
 }
 

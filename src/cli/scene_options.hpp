@@ -4,78 +4,76 @@
 #include <string>
 #include <vector>
 
+#include "options/options.hpp"
+#include "program_context.hpp"
 #include "skylut/atmosphere/atmosphere_description.hpp"
 #include "skylut/site/place.hpp"
+#include "skylut/site/sun.hpp"
 #include "skylut/sky/simulate_sky.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace skylut::cli {
 
-/// The options that every command which simulates skies shares: the air, its place, the wavelengths and
-/// how finely and on how many threads to compute.
-class SceneOptions {
+/// The options of the air, its ground and its place.
+class AirOptions {
  public:
-  /// Adds the options to a command; this object must outlive its parsing.
-  void add_to(CLI::App& command);
+  void add_to(OptionSet& options);
 
-  /// Adds only the options of the air, its ground and its place.
-  void add_air_to(CLI::App& command);
-
-  /// The scene without altitudes, turbidities, suns and directions.
-  /// @throws InputError  for an unknown profile, a place or range that cannot be
-  SkyScene scene(const Context& context) const;
-
-  TransferOptions transfer() const;
-  std::optional<Place> place() const;  ///< @throws InputError if it is no place
-  TurbidityKind turbidity_kind() const;
-  bool turbidity_kind_given() const { return turbidity_kind_given_; }
-  /// What the options say of the atmosphere. @throws InputError if the place is none
-  AtmosphereDescription atmosphere() const;
-  bool has_date() const { return !date_.empty(); }
-  bool has_longitude() const { return !longitude_.empty(); }
-  const std::string& quality() const { return quality_; }
-  int threads() const { return threads_; }
-
-  /// These options as a command line, defaults spelled out; without threads, which change no result.
-  std::string command_line() const;
-  /// The part that add_air_to adds.
-  std::string air_command_line() const;
+  /// What the options say of the atmosphere with a profile. @throws InputError  if only a part of a place was
+  /// given
+  AtmosphereDescription atmosphere(const std::string& profile) const;
+  std::optional<Place> place() const;  ///< @throws InputError  as atmosphere()
+  TurbidityKind turbidity_kind() const { return turbidity_kind_; }
+  bool has_longitude() const { return longitude_deg_.has_value(); }
 
  private:
-  std::string profile_ = "ussa1976";
-  std::string turbidity_kind_ = "aod500";
-  bool turbidity_kind_given_ = false;
-  std::string wavelengths_ = "380:780:5";
-  std::string aerosol_ = "rural";
-  std::optional<double> humidity_percent_;
-  std::string albedo_ = "0.2";
-  std::optional<double> ozone_du_;
-  std::optional<double> water_cm_;
-  std::optional<double> no2_du_;
-  std::optional<double> surface_pressure_hPa_;
-  std::string solar_ = "astm-g173";
-  std::string date_;
-  std::string latitude_;
-  std::string longitude_;
-  double height_m_ = 0.0;
-  std::string quality_ = "default";
-  int threads_ = 0;
+  TurbidityKind turbidity_kind_ = TurbidityKind::aod500;
+  AtmosphereDescription description_;  // all but profile and place
+  std::optional<double> latitude_deg_;
+  std::optional<double> longitude_deg_;
+  std::optional<double> height_m_;
 };
 
-/// A sun as "Z:A", zenith angle and azimuth in degrees. @throws InputError naming the text
-Direction parse_sun(const std::string& text);
+/// The options that every command which simulates skies shares: the profile and its air, the sun's spectrum,
+/// the wavelengths, how finely and on how many threads to compute.
+class SceneOptions {
+ public:
+  void add_to(OptionSet& options);
 
-/// Suns separated by commas. @throws InputError as parse_sun
-std::vector<Direction> parse_suns(const std::string& text);
+  /// The scene without altitudes, turbidities, suns and directions.
+  /// @throws InputError  for what is unknown or broken, a place that cannot be
+  SkyScene scene(const Context& context) const;
+
+  /// How the scene's results come about, with the quality. @param command  that makes them again
+  Provenance provenance(const Context& context, const SkyScene& scene, std::string command) const;
+
+  TransferOptions transfer() const;
+  Context context() const { return program_context(computing_); }
+  const AirOptions& air() const { return air_; }
+  const std::optional<UtcTime>& date() const { return date_; }
+
+ private:
+  std::string profile_ = AtmosphereDescription{}.profile;
+  AirOptions air_;
+  std::string solar_ = SkyScene{}.solar;
+  std::optional<UtcTime> date_;
+  WavelengthGrid wavelengths_ = WavelengthGrid::visible();
+  Quality quality_ = Quality::standard;
+  ComputingOptions computing_;
+};
+
+/// draft, default or reference.
+Kind<Quality> quality_kind();
+
+/// aod500, aod550 and so on.
+Kind<TurbidityKind> turbidity_kind_by_name();
+
+/// --turbidity, for commands that take one.
+Option& add_turbidity(OptionSet& options, double& turbidity);
+
+/// The default of --turbidity is no turbidity of another kind. @throws InputError  if only the kind was given
+void require_turbidity_with_its_kind(const OptionSet& options);
 
 /// One turbidity in all kinds, as far as they exist: "aod500 0.1 = aod550 0.0883 = …".
-std::string turbidity_text(const Turbidity& turbidity, const Atmosphere& atmosphere);
-
-/// What sun zenith angles, azimuths and observers' altitudes may be.
-inline constexpr double kLowestSun_deg = 96.0;
-inline constexpr double kHighestAltitude_km = 30.0;
+std::string turbidity_text(const Turbidity& turbidity, const Atmosphere& air);
 
 }  // namespace skylut::cli

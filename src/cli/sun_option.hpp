@@ -1,39 +1,33 @@
 #pragma once
 
-#include <string>
+#include <optional>
 
+#include "options/options.hpp"
 #include "scene_options.hpp"
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
+#include "skylut/core/domain.hpp"
 
 namespace skylut::cli {
 
 /// Where the sun stands: by its angles, or by place and time, which give its distance too.
 class SunOption {
  public:
-  /// Adds --sun-zenith-deg, --sun-azimuth-deg and --time; this object must outlive the parsing.
-  /// @param lowest_sun_deg  greatest zenith angle that may be given
-  void add_to(CLI::App& command, double lowest_sun_deg);
+  /// Adds --sun-zenith-deg, --sun-azimuth-deg and --time.
+  /// @param zenith  what the zenith angle may be
+  void add_to(OptionSet& options, const Range& zenith);
 
   /// Puts the sun, and with a time its distance, into a scene.
-  /// @param place           the options that may hold the place
-  /// @param lowest_sun_deg  greatest zenith angle that a time may lead to
-  /// @throws InputError  no sun, two suns, a time without place, a sun that is too low
-  void put_into(SkyScene& scene, const SceneOptions& place, double lowest_sun_deg) const;
+  /// @throws InputError  no sun, two suns, a time without place
+  void put_into(SkyScene& scene, const SceneOptions& place);
 
-  /// These options as a command line.
-  std::string command_line() const;
+  /// Refuses a sun that is too low for what is asked of it.
+  /// @param limit  "diffuse light ends at 96 deg, use --no-diffuse"
+  /// @throws InputError  naming the option, the sun's zenith angle and the limit
+  void require_above(double lowest_sun_deg, const Direction& sun, const char* limit) const;
 
  private:
-  double zenith_deg_ = 0.0;
-  double azimuth_deg_ = 180.0;
-  std::string time_;
-  // Which of them were typed.
-  const CLI::Option* zenith_option_ = nullptr;
-  const CLI::Option* azimuth_option_ = nullptr;
+  std::optional<double> zenith_deg_;
+  std::optional<double> azimuth_deg_;
+  std::optional<UtcTime> time_;
 };
 
 }  // namespace skylut::cli

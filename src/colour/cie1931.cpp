@@ -115,6 +115,21 @@ Xyz ColourMatching::integrate(const WavelengthGrid& grid, std::span<const double
   return sum;
 }
 
+double ColourMatching::part_of_vision(double first_nm, double last_nm) const {
+  constexpr int kPerStep = 20;  // pieces of the table's 5 nm
+  const double piece_nm = (wavelength_nm_[1] - wavelength_nm_[0]) / kPerStep;
+  const std::size_t pieces = kPerStep * (wavelength_nm_.size() - 1);
+  double all = 0.0;
+  double part = 0.0;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const double middle_nm = wavelength_nm_.front() + (static_cast<double>(i) + 0.5) * piece_nm;
+    const double sensitivity = at(middle_nm).Y;
+    all += sensitivity;
+    if (middle_nm > first_nm && middle_nm < last_nm) part += sensitivity;
+  }
+  return part / all;
+}
+
 bool ColourMatching::inside_spectral_locus(double x, double y) const {
   const Yxy point{0.0, x, y};
   // Rounding of a point on the border: 1e-12 of the area spanned.

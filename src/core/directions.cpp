@@ -41,6 +41,13 @@ double angle_between(const Direction& a, const Direction& b) {
   return 2.0 * std::asin(std::sqrt(std::clamp(haversine, 0.0, 1.0)));
 }
 
+double wrapped_azimuth_deg(double azimuth_deg) {
+  double turned = std::fmod(azimuth_deg, 360.0);
+  if (turned < 0.0) turned += 360.0;
+  // -1e-20 + 360 rounds to 360; 0 is added so that -0 becomes 0.
+  return turned < 360.0 ? turned + 0.0 : 0.0;
+}
+
 double folded_relative_azimuth_deg(double azimuth_deg, double sun_azimuth_deg) {
   const double turned = std::abs(std::remainder(azimuth_deg - sun_azimuth_deg, 360.0));
   return std::round(turned * 1e9) * 1e-9;

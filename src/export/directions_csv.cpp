@@ -1,16 +1,18 @@
 #include "skylut/export/directions_csv.hpp"
 
 #include "skylut/core/csv.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
 
 namespace {
 
-double angle_deg(const CsvTable& table, std::size_t row, const char* name, double lowest, double highest) {
+double angle_deg(const CsvTable& table, std::size_t row, const char* name, const Range& range) {
   const double value = table.number(row, table.column(name));
-  if (value < lowest || value > highest)
-    throw InputError("{}: {} {}: must lie within {} to {}", table.place(row), name, value, lowest, highest);
+  if (!range.holds(value))
+    throw InputError("{}: {} {}: must lie within {} to {}", table.place(row), name, value, range.lowest,
+                     range.highest);
   return value;
 }
 
@@ -20,8 +22,8 @@ std::vector<Direction> read_directions_csv(const std::filesystem::path& path) {
   const CsvTable table = CsvTable::read(path);
   std::vector<Direction> directions;
   for (std::size_t row = 0; row < table.rows(); ++row)
-    directions.push_back({angle_deg(table, row, "zenith_deg", 0.0, 180.0),
-                          angle_deg(table, row, "azimuth_deg", -360.0, 360.0)});
+    directions.push_back({angle_deg(table, row, "zenith_deg", domain::kAnyZenith_deg),
+                          wrapped_azimuth_deg(angle_deg(table, row, "azimuth_deg", domain::kAzimuth_deg))});
   if (directions.empty()) throw InputError("{}: no rows: must hold one direction or more", path.string());
   return directions;
 }

@@ -55,9 +55,8 @@ std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
   // 2. Radiative transfer, once for everything: sr⁻¹ per unit solar irradiance.
   const ViewSet views(scene.directions, scene.suns);
   const SkyRequest request{scene.altitudes_km, views.unique_sun_zeniths_deg(), views.unique_views()};
-  TransferOptions transfer = options;
-  transfer.threads = context.threads;
-  const SkyRadiance sky = solve_sky_radiance(scene.atmosphere->shells(), bands.columns, request, transfer);
+  const SkyRadiance sky =
+      solve_sky_radiance(context, scene.atmosphere->shells(), bands.columns, request, options);
 
   // 3. The sun's spectrum makes it radiance, the eye's makes it colour.
   const std::vector<Xyz> weights = ColourMatching::load(context).weights(scene.wavelengths);
@@ -75,14 +74,15 @@ std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
     map.sun = scene.suns[sun];
     map.directions = scene.directions;
     map.wavelengths = scene.wavelengths;
+    map.instruction_set = sky.report().kernel;
     map.radiance.reserve(map.directions.size() * wavelengths);
     for (std::size_t direction = 0; direction < map.directions.size(); ++direction)
       for (std::size_t i = 0; i < wavelengths; ++i) {
         const std::size_t band = bands.band(turbidity, i);
         double radiance = 0.0;
         for (std::size_t column = bands.first[band]; column < bands.first[band + 1]; ++column)
-          radiance += bands.weights[column] *
-                      double{sky.at(column, observer, views.sun_index(sun), views.view_index(direction, sun))};
+          radiance += bands.weights[column] * double{sky.at(column, observer, views.sun_index(sun),
+                                                            views.view_index(direction, sun))};
         map.radiance.push_back(static_cast<float>(irradiance[i] * radiance));
       }
     add_colours(map, weights);

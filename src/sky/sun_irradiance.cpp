@@ -56,8 +56,8 @@ void add_direct_beam(const SkyScene& scene, double aod500, SunIrradiance& result
 }
 
 // Sums of the sky's radiance with the weights of each quadrature.
-void add_sky(const SkyScene& scene, const SunIrradianceOptions& options, const TransferOptions& transfer,
-             SunIrradiance& result) {
+void add_sky(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
+             const TransferOptions& transfer, SunIrradiance& result) {
   const double sun_deg = scene.suns[0].zenith_deg;
   const SkyQuadrature hemisphere = options.diffuse ? hemisphere_quadrature(sun_deg) : SkyQuadrature{};
   const SkyQuadrature cone = options.circumsolar_half_angle_deg > 0.0
@@ -67,7 +67,10 @@ void add_sky(const SkyScene& scene, const SunIrradianceOptions& options, const T
   request.views.insert(request.views.end(), cone.views.begin(), cone.views.end());
 
   const BandColumns bands(scene);
-  const SkyRadiance sky = solve_sky_radiance(scene.atmosphere->shells(), bands.columns, request, transfer);
+  const SkyRadiance sky =
+      solve_sky_radiance(context, scene.atmosphere->shells(), bands.columns, request, transfer);
+
+  result.instruction_set = sky.report().kernel;
 
   const auto integrate = [&](const SkyQuadrature& quadrature, std::size_t first, std::vector<double>& total) {
     if (quadrature.views.empty()) return;
@@ -109,10 +112,8 @@ SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const 
   result.luminous_weight = luminous_weights(context, scene.wavelengths);
   result.extraterrestrial = extraterrestrial_irradiance(context, scene);
   add_direct_beam(scene, aod500, result);
-  TransferOptions on_threads = transfer;
-  on_threads.threads = context.threads;
   if (options.diffuse || options.circumsolar_half_angle_deg > 0.0)
-    add_sky(scene, options, on_threads, result);
+    add_sky(context, scene, options, transfer, result);
   return result;
 }
 

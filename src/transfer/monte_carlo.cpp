@@ -2,12 +2,15 @@
 
 #include <bit>
 #include <cmath>
+#include <mutex>
 
 #include "monte_carlo/first_collision.hpp"
 #include "monte_carlo/photon_tracer.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
+#include "spherical/request_check.hpp"
 
 namespace skylut {
 namespace {
@@ -21,15 +24,8 @@ constexpr std::uint64_t kMostPhotons = 1'000'000'000'000;
 
 void check(const Shells& shells, const OpticalColumn& column, const MonteCarloRequest& request,
            const MonteCarloOptions& options) {
-  if (!(shells.planet_radius_km > 0.0 && std::isfinite(shells.planet_radius_km)))
-    throw InputError("planet radius {} km: must be > 0 and finite for Monte Carlo", shells.planet_radius_km);
-  if (shells.levels_km.size() != column.extinction_depth.size() + 1)
-    throw InputError("{} levels: must be one more than the {} layers", shells.levels_km.size(),
-                     column.extinction_depth.size());
-  for (const Scatterer& scatterer : column.scatterers)
-    if (scatterer.scattering_depth.size() != column.extinction_depth.size())
-      throw InputError("scatterer with {} layers: must have {} as the column",
-                       scatterer.scattering_depth.size(), column.extinction_depth.size());
+  transfer::check_shells(shells);
+  transfer::check_column(column, shells.levels_km.size() - 1);
   const double top = shells.levels_km.back();
   if (!(request.observer_altitude_km >= 0.0 && request.observer_altitude_km <= top))
     throw InputError("observer altitude {} km: must lie within the levels, 0-{}",
@@ -50,7 +46,7 @@ Vector unit_vector(double zenith_deg, double azimuth_deg) {
   return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
 }
 
-Place observer_place(const Shells& shells, double altitude_km) {
+PhotonPosition observer_place(const Shells& shells, double altitude_km) {
   std::size_t layer = 0;
   while (layer + 2 < shells.levels_km.size() && altitude_km >= shells.levels_km[layer + 1]) ++layer;
   return {{0.0, 0.0, shells.planet_radius_km + altitude_km}, layer};
@@ -77,13 +73,14 @@ MonteCarloRadiance combine(const std::vector<double>& batch_means, std::size_t f
 
 }  // namespace
 
-std::vector<MonteCarloRadiance> solve_monte_carlo(const Shells& shells, const OpticalColumn& column,
+std::vector<MonteCarloRadiance> solve_monte_carlo(const Context& context, const Shells& shells,
+                                                  const OpticalColumn& column,
                                                   const MonteCarloRequest& request,
                                                   const MonteCarloOptions& options) {
   check(shells, column, request, options);
   const Vector to_sun = unit_vector(request.sun_zenith_deg, 0.0);
   const PhotonTracer tracer(shells, column, to_sun, options.orders);
-  const Place observer = observer_place(shells, request.observer_altitude_km);
+  const PhotonPosition observer = observer_place(shells, request.observer_altitude_km);
   std::vector<Vector> directions;
   std::vector<FirstCollision> collisions;
   for (const RelativeView& view : request.views) {
@@ -93,18 +90,24 @@ std::vector<MonteCarloRadiance> solve_monte_carlo(const Shells& shells, const Op
 
   const std::uint64_t per_batch = (options.photons + kBatches - 1) / kBatches;
   std::vector<double> batch_means(request.views.size() * kBatches, 0.0);
-  parallel_for(batch_means.size(), options.threads, [&](std::size_t task) {
+  std::mutex progress_lock;
+  std::size_t done = 0;
+  parallel_for(batch_means.size(), context.threads, [&](std::size_t task) {
     const std::size_t view = task / kBatches;
     const FirstCollision& collision = collisions[view];
     if (collision.empty()) return;
     RandomStream random(options.seed, view_key(request.views[view]), task % kBatches);
     double sum = 0.0;
     for (std::uint64_t photon = 0; photon < per_batch; ++photon) {
+      if (photon % 1024 == 0 && context.cancel.stop_requested()) throw Cancelled();
       // Stratified: one first collision in each equal share of the line of sight.
       const double choice = (static_cast<double>(photon) + random.uniform()) / static_cast<double>(per_batch);
       sum += tracer.trace(collision.at(choice), directions[view], random);
     }
     batch_means[task] = sum / static_cast<double>(per_batch);
+    if (!context.progress) return;
+    const std::scoped_lock lock(progress_lock);
+    context.progress("tracing photons", ++done, batch_means.size());
   });
 
   std::vector<MonteCarloRadiance> radiance;

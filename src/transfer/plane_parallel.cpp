@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "plane_parallel/adding.hpp"
-#include "plane_parallel/aureole_correction.hpp"
+#include "plane_parallel/forward_peak_correction.hpp"
 #include "plane_parallel/layer_modes.hpp"
 #include "plane_parallel/scaled_medium.hpp"
 #include "plane_parallel/single_scattering.hpp"
 #include "plane_parallel/source_integration.hpp"
+#include "plane_parallel/view_list.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/transfer/transfer_cost.hpp"
 
 namespace skylut {
 namespace {
@@ -40,12 +43,15 @@ void check(const OpticalColumn& column, const PlaneParallelRequest& request) {
                      request.cos_sun_zenith);
   if (!(request.isotropic_top_radiance >= 0.0 && std::isfinite(request.isotropic_top_radiance)))
     throw InputError("uniform radiance from above {}: must be >= 0", request.isotropic_top_radiance);
-  for (double cosine : request.cos_views)
-    if (!(std::abs(cosine) <= 1.0) || cosine == 0.0)
+  for (const PlaneDirection& direction : request.directions) {
+    if (!(std::abs(direction.cos_view) <= 1.0) || direction.cos_view == 0.0)
       throw InputError(
           "cosine of a direction {}: must lie within -1 to 1 and not be 0 (a horizontal ray never leaves "
           "a plane layer)",
-          cosine);
+          direction.cos_view);
+    if (!std::isfinite(direction.relative_azimuth_rad))
+      throw InputError("relative azimuth {}: must be finite", direction.relative_azimuth_rad);
+  }
   if (request.streams != 0 && (request.streams < 4 || request.streams > 512 || request.streams % 2 != 0))
     throw InputError("streams {}: must be even and within 4-512, or 0 for automatic", request.streams);
   if (!(column.ground_albedo >= 0.0 && column.ground_albedo <= 1.0))
@@ -75,8 +81,8 @@ void check(const OpticalColumn& column, const PlaneParallelRequest& request) {
 /// Sums the azimuth series into the result.
 class AzimuthSeries {
  public:
-  AzimuthSeries(const PlaneParallelRequest& request, std::vector<double>& radiance)
-      : request_(request), radiance_(radiance) {}
+  AzimuthSeries(const PlaneParallelRequest& request, const ViewList& views, std::vector<double>& radiance)
+      : request_(request), views_(views), radiance_(radiance) {}
 
   /// Adds mode m. @return true once the series has converged
   bool add(int mode, const Eigen::MatrixXd& at_bounds, const std::vector<std::size_t>& output_bounds) {
@@ -85,14 +91,13 @@ class AzimuthSeries {
     double change = 0.0;
     std::size_t at = 0;
     for (std::size_t bound : output_bounds)
-      for (std::size_t view = 0; view < request_.cos_views.size(); ++view) {
-        const double part = at_bounds(static_cast<Eigen::Index>(bound), static_cast<Eigen::Index>(view));
-        for (double azimuth : request_.relative_azimuths_rad) {
-          radiance_[at] += part * std::cos(mode * azimuth);
-          // Radiances 1e-10 of the largest carry no information.
-          change = std::max(change, std::abs(part) / (std::abs(radiance_[at]) + 1e-10 * largest));
-          ++at;
-        }
+      for (std::size_t direction = 0; direction < request_.directions.size(); ++direction) {
+        const double part = at_bounds(static_cast<Eigen::Index>(bound),
+                                      static_cast<Eigen::Index>(views_.of_direction[direction]));
+        radiance_[at] += part * std::cos(mode * request_.directions[direction].relative_azimuth_rad);
+        // Radiances 1e-10 of the largest carry no information.
+        change = std::max(change, std::abs(part) / (std::abs(radiance_[at]) + 1e-10 * largest));
+        ++at;
       }
     small_in_a_row_ = change < kAzimuthConvergence ? small_in_a_row_ + 1 : 0;
     return small_in_a_row_ >= 2;
@@ -100,6 +105,7 @@ class AzimuthSeries {
 
  private:
   const PlaneParallelRequest& request_;
+  const ViewList& views_;
   std::vector<double>& radiance_;
   int small_in_a_row_ = 0;
 };
@@ -118,24 +124,44 @@ void set_fluxes(const ScaledMedium& medium, const Ordinates& ordinates, const Bo
   }
 }
 
-}  // namespace
+/// Zenith angles solved at a time: their rows in the matrices of every material take no more than this.
+constexpr double kViewMemory_bytes = 256e6;
 
-PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const PlaneParallelRequest& request) {
-  check(column, request);
+std::size_t views_at_a_time(const ScaledMedium& medium) {
+  const double row_bytes = sizeof(double) * static_cast<double>(medium.streams) *
+                           (static_cast<double>(medium.optics.size()) + 1.0);
+  return static_cast<std::size_t>(std::max(16.0, kViewMemory_bytes / row_bytes));
+}
+
+/// @throws InputError  for layers and results that the machine cannot hold
+void refuse_too_much(const ScaledMedium& medium, const PlaneParallelRequest& request) {
+  const double nodes = 0.5 * medium.streams;
+  const auto slices = static_cast<double>(medium.slices.size());
+  const double results =
+      sizeof(double) * static_cast<double>(request.output_depths.size() * request.directions.size());
+  const double need =
+      sizeof(double) * nodes * nodes * (4.0 * slices + 2.0 * static_cast<double>(medium.optics.size())) +
+      kViewMemory_bytes + 4.0 * results;
+  const double memory = 0.75 * machine_memory_bytes();
+  if (need > memory)
+    throw InputError(
+        "{} layers with {} results in plane-parallel layers need about {:.3g} GB of memory, {:.3g} "
+        "GB may be used",
+        medium.slices.size(), request.output_depths.size() * request.directions.size(), need / 1e9,
+        memory / 1e9);
+}
+
+/// Adds the light scattered more than once towards the directions of a request that has few zenith angles.
+void add_multiple_scattering(const OpticalColumn& column, const ScaledMedium& medium,
+                             const PlaneParallelRequest& request, bool symmetric,
+                             PlaneParallelResult& result) {
   const double cos_sun = request.cos_sun_zenith;
-  // A vertical beam or vertical views have no azimuth: mode 0 is all.
-  const bool symmetric =
-      is_overhead(cos_sun) || std::all_of(request.cos_views.begin(), request.cos_views.end(), is_overhead);
-  PlaneParallelResult result;
-  result.streams =
-      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, symmetric));
-  const ScaledMedium medium = scale_medium(column, request.output_depths, result.streams);
   const Illumination light{cos_sun, request.isotropic_top_radiance, column.ground_albedo};
+  const ViewList views(request.directions);
   const Eigen::VectorXd cos_views = Eigen::Map<const Eigen::VectorXd>(
-      request.cos_views.data(), static_cast<Eigen::Index>(request.cos_views.size()));
-
-  result.radiance = exact_single_scattering(column, medium, request);
-  AzimuthSeries series(request, result.radiance);
+      views.cosines.data(), static_cast<Eigen::Index>(views.cosines.size()));
+  result.radiance = exact_single_scattering(column, medium, request, views);
+  AzimuthSeries series(request, views, result.radiance);
   const int most_modes = symmetric ? 1 : result.streams;
   bool converged = false;
   for (int mode = 0; mode < most_modes && !converged; ++mode) {
@@ -149,8 +175,73 @@ PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const Plan
     converged = series.add(mode, at_bounds, medium.output_bounds);
     result.azimuth_modes = mode + 1;
   }
-  correct_aureole(column, medium, request, result.radiance);
+  correct_forward_peak(column, medium, request, result.radiance);
+}
+
+/// The directions in parts of so many zenith angles. @return of each part, indices into the directions
+std::vector<std::vector<std::size_t>> parts_of(const std::vector<PlaneDirection>& directions,
+                                               std::size_t views_each) {
+  const ViewList views(directions);
+  std::vector<std::vector<std::size_t>> parts(
+      std::max<std::size_t>(1, (views.cosines.size() + views_each - 1) / views_each));
+  for (std::size_t i = 0; i < directions.size(); ++i) parts[views.of_direction[i] / views_each].push_back(i);
+  return parts;
+}
+
+PlaneParallelResult solve(const OpticalColumn& column, const PlaneParallelRequest& request) {
+  // A vertical beam or vertical views have no azimuth: mode 0 is all.
+  const bool symmetric =
+      is_overhead(request.cos_sun_zenith) ||
+      std::all_of(request.directions.begin(), request.directions.end(),
+                  [](const PlaneDirection& direction) { return is_overhead(direction.cos_view); });
+  PlaneParallelResult result;
+  result.streams =
+      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, symmetric));
+  const ScaledMedium medium = scale_medium(column, request.output_depths, result.streams);
+  refuse_too_much(medium, request);
+  const auto parts = parts_of(request.directions, views_at_a_time(medium));
+  if (parts.size() == 1) {
+    add_multiple_scattering(column, medium, request, symmetric, result);
+    return result;
+  }
+  result.radiance.resize(request.output_depths.size() * request.directions.size());
+  for (const std::vector<std::size_t>& part : parts) {
+    PlaneParallelRequest asked = request;
+    asked.directions.clear();
+    for (const std::size_t i : part) asked.directions.push_back(request.directions[i]);
+    PlaneParallelResult found;
+    found.streams = result.streams;
+    add_multiple_scattering(column, medium, asked, symmetric, found);
+    for (std::size_t depth = 0; depth < request.output_depths.size(); ++depth)
+      for (std::size_t i = 0; i < part.size(); ++i)
+        result.radiance[depth * request.directions.size() + part[i]] =
+            found.radiance[depth * part.size() + i];
+    result.flux_direct = found.flux_direct;
+    result.flux_down_diffuse = found.flux_down_diffuse;
+    result.flux_up = found.flux_up;
+    result.azimuth_modes = std::max(result.azimuth_modes, found.azimuth_modes);
+  }
   return result;
+}
+
+}  // namespace
+
+std::vector<PlaneDirection> PlaneParallelRequest::every(const std::vector<double>& cos_views,
+                                                        const std::vector<double>& relative_azimuths_rad) {
+  std::vector<PlaneDirection> directions;
+  for (const double cos_view : cos_views)
+    for (const double azimuth : relative_azimuths_rad) directions.push_back({cos_view, azimuth});
+  return directions;
+}
+
+PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const PlaneParallelRequest& request) {
+  check(column, request);
+  try {
+    return solve(column, request);
+  } catch (const std::bad_alloc&) {
+    throw WorkError("plane-parallel transfer ran out of memory with {} layers and {} directions",
+                    column.extinction_depth.size(), request.directions.size());
+  }
 }
 
 }  // namespace skylut

@@ -2,16 +2,19 @@
 """Runs the program once in an empty folder and checks what a user sees of it.
 
     expect.py PROGRAM [--exit N] [--stderr REGEX] [--stdout REGEX] [--input NAME=TEXT]...
-              [--folder NAME]... [--link NAME=TARGET]... [--stdout-to PATH] -- ARGUMENT...
+              [--folder NAME]... [--link NAME=TARGET]... [--stdout-to PATH] [--warning REGEX]
+              [--memory-kb N] -- ARGUMENT...
 
 With --exit other than 0: standard error must be exactly one line that begins with "skylut: " and
 matches REGEX, standard output must be empty, and no file or folder may have appeared or changed.
+With --warning one line "skylut: warning: ..." that matches it must come before that, without it none may.
 The other tests of this folder import `Workplace`.
 """
 
 import argparse
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -38,15 +41,19 @@ class Workplace:
         self.path(name).parent.mkdir(parents=True, exist_ok=True)
         self.path(name).write_text(text, encoding="utf-8")
 
-    def run(self, *arguments, stdout=subprocess.PIPE):
-        return subprocess.run([self.program, *arguments], cwd=self.folder, stdout=stdout,
-                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, timeout=600)
+    def run(self, *arguments, stdout=subprocess.PIPE, memory_kb=None):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (memory_kb * 1024, memory_kb * 1024))
+        return subprocess.run([self.program, *arguments], cwd=self.folder, stdout=stdout, stderr=subprocess.PIPE,
+                              stdin=subprocess.DEVNULL, text=True, timeout=600, preexec_fn=limit if memory_kb else None)
 
-    def succeed(self, *arguments):
-        """Runs the program, which must end with 0 and say nothing on standard error."""
+    def succeed(self, *arguments, warning=None):
+        """Runs the program, which must end with 0 and say nothing on standard error but, if that is expected,
+        one warning."""
         result = self.run(*arguments)
         assert result.returncode == 0, f"{arguments}: exit {result.returncode}: {result.stderr}"
-        assert result.stderr == "", f"{arguments}: standard error: {result.stderr}"
+        rest, wrong = without_warning(result.stderr, warning)
+        assert not wrong and rest == "", f"{arguments}: standard error: {result.stderr}"
         return result.stdout
 
     def contents(self):
@@ -61,17 +68,29 @@ class Workplace:
         return found
 
 
+def without_warning(text, regex):
+    """Standard error without the one warning that is expected, and what is wrong about it."""
+    if not regex:
+        return text, "an unexpected warning" if "skylut: warning: " in text else ""
+    first, _, rest = text.partition("\n")
+    good = first.startswith("skylut: warning: ") and re.search(regex, first) and "skylut: warning: " not in rest
+    return rest, "" if good else f"no single warning that matches {regex!r}"
+
+
 def failures(result, before, after, options):
     """What is not as expected, one text each."""
     if result.returncode != options.exit:
         yield f"exit code {result.returncode}, expected {options.exit}"
     if options.stdout and not re.search(options.stdout, result.stdout or ""):
         yield f"standard output does not match {options.stdout!r}"
+    errors, wrong = without_warning(result.stderr, options.warning)
+    if wrong:
+        yield wrong
     if options.exit == 0:
-        if result.stderr:
+        if errors:
             yield "standard error is not empty"
         return
-    lines = result.stderr.split("\n")
+    lines = errors.split("\n")
     if len(lines) != 2 or lines[1] != "" or not lines[0].startswith("skylut: "):
         yield "standard error is not one line that begins with 'skylut: '"
     if not re.search(options.stderr, lines[0]):
@@ -93,6 +112,8 @@ def main():
     parser.add_argument("--folder", action="append", default=[])
     parser.add_argument("--link", action="append", default=[])
     parser.add_argument("--stdout-to")
+    parser.add_argument("--warning", default="")
+    parser.add_argument("--memory-kb", type=int)
     split = sys.argv.index("--")
     options = parser.parse_args(sys.argv[1:split])
     arguments = sys.argv[split + 1:]
@@ -108,9 +129,9 @@ def main():
         before = work.contents()
         if options.stdout_to:
             with open(options.stdout_to, "w", encoding="utf-8") as sink:
-                result = work.run(*arguments, stdout=sink)
+                result = work.run(*arguments, stdout=sink, memory_kb=options.memory_kb)
         else:
-            result = work.run(*arguments)
+            result = work.run(*arguments, memory_kb=options.memory_kb)
         wrong = list(failures(result, before, work.contents(), options))
     if not wrong:
         return 0

@@ -31,7 +31,7 @@ def main():
         print("no nm")
         return SKIPPED
     kernels = [path for path in sys.argv[1:]
-               if pathlib.Path(path).name.split(".")[0] in ("kernel_sse2", "kernel_avx2", "kernel_avx512")]
+               if pathlib.Path(path).name.split(".")[0] in ("kernel_portable", "kernel_avx2", "kernel_avx512")]
     if len(kernels) != 3:
         print(f"expected three kernel objects, found {kernels}")
         return 1

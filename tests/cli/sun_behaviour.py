@@ -119,17 +119,26 @@ class ProfileCase(unittest.TestCase):
                           "--view", "0:0,60:0,85:90")
         self.work.succeed("solve", "case.json", "-o", "solved.json")
         self.work.write("views.csv", "zenith_deg,azimuth_deg\n0,0\n60,180\n85,270\n")
-        self.work.succeed("map", "-o", "sky.csv", "--directions", "views.csv", "--wavelengths-nm", "550:555:5", *air)
-        self.work.succeed("sun", "-o", "sun.csv", "--sun-zenith-deg", "60", "--wavelengths-nm", "550:555:5", "--no-diffuse")
+        self.work.succeed("map", "-o", "sky.csv", "--directions", "views.csv", "--wavelengths-nm", "550:555:5", *air,
+                          warning="count only 550-555 nm")
+        self.work.succeed("sun", "-o", "sun.csv", "--sun-zenith-deg", "60", "--wavelengths-nm", "550:555:5", "--no-diffuse",
+                          warning="count only 550-555 nm")
         irradiance = rows_of(self.work.path("sun.csv"))[0]["extraterrestrial_w_m2_nm"]
         solved = json.loads(self.work.path("solved.json").read_text(encoding="utf-8"))["results"]
         for row, result in zip(rows_of(self.work.path("sky.csv")), solved):
             # 1e-4: moments end where they add 1e-7 to the phase function, radiances are 32-bit floats.
             self.assertTrue(math.isclose(row["L_550"], irradiance * result["radiance"], rel_tol=1e-4), result)
 
-    def test_without_a_file_it_goes_to_the_screen(self):
-        document = json.loads(self.work.succeed("profile", "case", "utm2005", "--wavelength-nm", "450"))
-        self.assertEqual(len(document["layers"]) + 1, len(document["levels_km"]))
+    def test_without_a_file_a_summary_goes_to_the_screen(self):
+        screen = self.work.succeed("profile", "case", "utm2005", "--wavelength-nm", "450")
+        self.assertLess(len(screen.splitlines()), 10)
+        self.assertRegex(screen, r"optical depth [0-9.]+: Rayleigh 0\.2[0-9]+, aerosol [0-9.]+, absorption")
+        self.assertEqual(list(self.work.contents()), [])
+
+    def test_the_case_goes_to_standard_output_on_request(self):
+        for name in ("-", "/dev/stdout"):
+            document = json.loads(self.work.succeed("profile", "case", "utm2005", "--wavelength-nm", "450", "-o", name))
+            self.assertEqual(len(document["layers"]) + 1, len(document["levels_km"]))
         self.assertEqual(list(self.work.contents()), [])
 
 

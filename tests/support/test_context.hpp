@@ -13,4 +13,18 @@ inline Context test_context() {
 
 inline const Context context = test_context();
 
+/// The same on that many threads.
+inline Context on_threads(int threads) {
+  Context chosen = test_context();
+  chosen.threads = threads;
+  return chosen;
+}
+
+/// The same with that build of the solver.
+inline Context with_simd(Simd simd) {
+  Context chosen = test_context();
+  chosen.simd = simd;
+  return chosen;
+}
+
 }  // namespace skylut::test

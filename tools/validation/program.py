@@ -35,12 +35,12 @@ class Program:
     def solve(self, case, *options, simd=None):
         """The answer to a solver case (a path, or the document itself) and its CPU seconds."""
         if isinstance(case, (str, pathlib.Path)):
-            text, seconds = self.run("solve", case, "--threads", 1, *options, simd=simd)
+            text, seconds = self.run("solve", case, "-o", "-", "--threads", 1, *options, simd=simd)
         else:
             with tempfile.TemporaryDirectory(prefix="skylut-validate-") as folder:
                 path = pathlib.Path(folder) / "case.json"
                 path.write_text(json.dumps(case), encoding="utf-8")
-                text, seconds = self.run("solve", path, "--threads", 1, *options, simd=simd)
+                text, seconds = self.run("solve", path, "-o", "-", "--threads", 1, *options, simd=simd)
         return json.loads(text), seconds
 
     def table(self, folder, *options, simd=None):

@@ -55,7 +55,7 @@ def band(context, aod500, wavelength_nm):
     documents, weight = [], 0.0
     while weight < 1 - 1e-9:
         text, _ = context.program.run("profile", "case", "ussa1976", "--wavelength-nm", wavelength_nm, "--band-nm", BAND_NM,
-                                      "--turbidity", aod500, "--view", "0:0", "--absorption-term", len(documents) + 1)
+                                      "--turbidity", aod500, "--view", "0:0", "--absorption-term", len(documents) + 1, "-o", "-")
         documents.append(with_few_phase_functions(json.loads(text)))
         weight += documents[-1]["absorption_term_weight"]
     return documents

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "skylut/core/directions.hpp"
 #include "skylut/atmosphere/atmosphere.hpp"
+#include "skylut/core/directions.hpp"
 
 namespace skylut {
 

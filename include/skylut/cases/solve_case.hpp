@@ -8,13 +8,14 @@
 
 namespace skylut {
 
+struct Context;
+
 enum class SolveMethod { standard, monte_carlo };
 
 struct SolveOptions {
   SolveMethod method = SolveMethod::standard;
-  QualityLimits limits = limits_of(Quality::standard);  ///< of the spherical solver only
-  int orders = 0;                       ///< 0: all
-  int threads = 0;
+  DiscretisationOptions discretisation = discretisation_of(Quality::standard);  ///< of the spherical solver
+  int orders = 0;                                                               ///< 0: all
   std::uint64_t photons = 100'000;  ///< Monte Carlo, per direction
   std::uint64_t seed = 1;
 };
@@ -25,12 +26,13 @@ struct SolveOptions {
 ///
 /// Changed: `results[].radiance` and `.std` (0 for a deterministic solver), `results[].photons` (Monte
 /// Carlo: ours; else removed), `fluxes`; `outputs.radiance` and `.flux_*`, `streams_used`; `convergence` is
-/// removed (it judged the old numbers); `reference` names this program. All else is kept.
+/// removed (it judged the old numbers); `reference` names this program, `instruction_set` the build of the spherical
+/// solver. All else is kept.
 ///
 /// @param document  parsed file; `path` names it in messages
 /// @throws InputError  naming file, key, value and what would be right
 /// @throws WorkError   for a class of problem that no solver here can do
-nlohmann::ordered_json solve_case(const nlohmann::ordered_json& document, const std::string& path,
-                                  const SolveOptions& options);
+nlohmann::ordered_json solve_case(const Context& context, const nlohmann::ordered_json& document,
+                                  const std::string& path, const SolveOptions& options);
 
 }  // namespace skylut

@@ -11,10 +11,11 @@ namespace skylut {
 
 /// Instruction set of the transfer solver's kernels.
 enum class Simd {
-  best,      ///< the widest that this machine can run
-  portable,  ///< 4 lanes without machine-specific instructions; the same bytes on every machine of a kind
-  avx2,      ///< 8 lanes (x86-64 with FMA)
-  avx512,    ///< 16 lanes; the same bytes as avx2
+  best,       ///< the widest that this machine can run
+  portable,   ///< 4 lanes without machine-specific instructions; the same bytes on every machine of a kind
+  avx2,       ///< 8 lanes (x86-64 with FMA)
+  avx512,     ///< 16 lanes; the same bytes as avx2
+  reference,  ///< one column at a time in double precision: what the others are judged by; slow
 };
 
 /// What a computation needs of the world around it. Passed in by the caller: the library reads no environment

@@ -26,6 +26,9 @@ std::vector<Direction> directions_preetham343();
 /// Angle between two directions, radians, in [0, π]; accurate near 0 and π (haversine form).
 double angle_between(const Direction& a, const Direction& b);
 
+/// The same azimuth in [0, 360). @param azimuth_deg  finite
+double wrapped_azimuth_deg(double azimuth_deg);
+
 /// |azimuth difference| folded to [0, 180] degrees and rounded to 1e-9°, so that mirror-symmetric
 /// views of the sun are recognised as equal.
 double folded_relative_azimuth_deg(double azimuth_deg, double sun_azimuth_deg);

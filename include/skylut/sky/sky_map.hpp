@@ -2,12 +2,13 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "skylut/atmosphere/turbidity.hpp"
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/core/wavelength_grid.hpp"
-#include "skylut/atmosphere/turbidity.hpp"
 
 namespace skylut {
 
@@ -20,6 +21,7 @@ struct SkyMap {
   WavelengthGrid wavelengths = WavelengthGrid::visible();
   std::vector<float> radiance;  ///< [direction][wavelength], W m⁻² sr⁻¹ nm⁻¹; the solver's precision
   std::vector<Yxy> colour;      ///< [direction]: luminance in cd/m², CIE 1931 chromaticity
+  std::string instruction_set;  ///< of the kernel that computed it; empty: none
 
   /// Radiance at every wavelength in one direction, W m⁻² sr⁻¹ nm⁻¹.
   std::span<const float> spectrum(std::size_t direction) const {

@@ -33,8 +33,9 @@ struct SunIrradiance {
   std::vector<double> diffuse_horizontal;  ///< from above on a horizontal plane, without the beam
   std::vector<double> circumsolar_normal;  ///< diffuse light around the sun, normal to the beam
   std::vector<ConstituentTransmittance> transmittance;
-  std::vector<double>
-      luminous_weight;  ///< lux per W m⁻² nm⁻¹: K_m V(λ) step; illuminance = Σ weight irradiance
+  /// Lux per W m⁻² nm⁻¹, K_m V(λ) step: illuminance = Σ weight irradiance.
+  std::vector<double> luminous_weight;
+  std::string instruction_set;  ///< of the kernel that computed the diffuse light; empty: none
 
   /// Direct and diffuse light on a horizontal plane; empty without diffuse light.
   std::vector<double> global_horizontal() const;

@@ -8,6 +8,8 @@
 
 namespace skylut {
 
+struct Context;
+
 /// One observer under one sun in spherical shells.
 struct MonteCarloRequest {
   double observer_altitude_km = 0.0;  ///< [0, top level]
@@ -18,8 +20,7 @@ struct MonteCarloRequest {
 struct MonteCarloOptions {
   std::uint64_t photons = 100'000;  ///< per view, 128 to 1e12; rounded up to a multiple of 64 (the batches)
   std::uint64_t seed = 1;
-  int orders = 0;   ///< highest number of scatterings and ground reflections; 0: all
-  int threads = 0;  ///< 0: all cores. Results do not depend on it.
+  int orders = 0;  ///< highest number of scatterings and ground reflections; 0: all
 };
 
 /// Mean and one standard error of it, from 64 independent batches; per unit solar irradiance on a plane
@@ -41,8 +42,11 @@ struct MonteCarloRadiance {
 /// then honest but falls slowly.
 ///
 /// @return one estimate per view
-/// @throws InputError  for values outside the ranges above, or an infinite planet radius
-std::vector<MonteCarloRadiance> solve_monte_carlo(const Shells& shells, const OpticalColumn& column,
+/// @param context  threads, progress ("tracing photons") and cancel
+/// @throws InputError  for values outside the ranges above
+/// @throws Cancelled   when the context asks to stop
+std::vector<MonteCarloRadiance> solve_monte_carlo(const Context& context, const Shells& shells,
+                                                  const OpticalColumn& column,
                                                   const MonteCarloRequest& request,
                                                   const MonteCarloOptions& options);
 

@@ -6,24 +6,32 @@
 
 namespace skylut {
 
+/// Direction in which light travels through plane layers.
+struct PlaneDirection {
+  double cos_view = -1.0;  ///< of the zenith angle: > 0 up, < 0 down; [-1, 1] without 0
+  /// Azimuth of travel relative to the azimuth of travel of the beam; 0 = the forward half.
+  double relative_azimuth_rad = 0.0;
+};
+
 /// What is asked of plane-parallel layers lit by the sun. Depths are vertical optical depths measured
 /// from the top, in the units of OpticalColumn::extinction_depth.
 struct PlaneParallelRequest {
   double cos_sun_zenith = 1.0;  ///< (0, 1]
-  double isotropic_top_radiance =
-      0.0;  ///< uniform light falling on the top, per unit beam irradiance, sr⁻¹, >= 0
+  /// Uniform light falling on the top, per unit beam irradiance, sr⁻¹, >= 0.
+  double isotropic_top_radiance = 0.0;
   std::vector<double> output_depths;  ///< each in [0, total depth]
-  /// Cosines of the direction in which the light travels: > 0 up, < 0 down; [-1, 1] without 0.
-  std::vector<double> cos_views;
-  /// Azimuth of travel relative to the azimuth of travel of the beam; 0 = the forward half.
-  std::vector<double> relative_azimuths_rad;
-  int streams =
-      0;  ///< discrete ordinates in both hemispheres, even, 4-512; 0: chosen from the phase functions
+  std::vector<PlaneDirection> directions;
+  /// Discrete ordinates in both hemispheres, even, 4-512; 0: chosen from the phase functions.
+  int streams = 0;
+
+  /// Every view under every azimuth, azimuth fastest, as directions.
+  static std::vector<PlaneDirection> every(const std::vector<double>& cos_views,
+                                           const std::vector<double>& relative_azimuths_rad);
 };
 
 /// Radiances and irradiances per unit beam irradiance on a plane normal to the beam at the top.
 struct PlaneParallelResult {
-  /// Diffuse radiance, sr⁻¹: [depth][view][azimuth] in one array, azimuth fastest. Without the direct beam.
+  /// Diffuse radiance, sr⁻¹: [depth][direction] in one array, direction fastest. Without the direct beam.
   std::vector<double> radiance;
   std::vector<double> flux_direct;        ///< per depth, on a horizontal plane, unscattered beam
   std::vector<double> flux_down_diffuse;  ///< per depth
@@ -42,6 +50,8 @@ struct PlaneParallelResult {
 ///
 /// @param column  layers bottom to top
 /// @throws InputError  for values outside the ranges above
+/// Directions of many zenith angles are worked through in parts, so that memory is bounded.
+/// @throws InputError  for layers or results that the machine cannot hold
 /// @throws WorkError   for Legendre moments that no phase function >= 0 has
 PlaneParallelResult solve_plane_parallel(const OpticalColumn& column, const PlaneParallelRequest& request);
 

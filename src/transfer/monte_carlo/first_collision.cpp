@@ -16,7 +16,7 @@ constexpr double kGroundShare = 0.3;
 
 }  // namespace
 
-FirstCollision::FirstCollision(const ShellWalk& shells, const Place& observer, const Vector& view,
+FirstCollision::FirstCollision(const ShellWalk& shells, const PhotonPosition& observer, const Vector& view,
                                const Vector& to_sun)
     : shells_(shells), observer_(observer), view_(view) {
   double depth = 0.0;
@@ -42,7 +42,8 @@ FirstCollision::FirstCollision(const ShellWalk& shells, const Place& observer, c
   double all_lit = 0.0;
   for (const Piece& piece : pieces_) {
     const double own = shells.extinction_per_km(piece.layer) * piece.length_km;
-    const Place middle{along(observer.position, view, piece.start_km + 0.5 * piece.length_km), piece.layer};
+    const PhotonPosition middle{along(observer.position, view, piece.start_km + 0.5 * piece.length_km),
+                                piece.layer};
     meets.push_back(std::exp(-piece.depth_before) * -std::expm1(-own));
     lit.push_back(meets.back() * std::exp(-shells.depth_to_top(middle, to_sun)));
     all_meets += meets.back();

@@ -14,11 +14,12 @@ namespace skylut::monte_carlo {
 class FirstCollision {
  public:
   /// @param to_sun  unit vector
-  FirstCollision(const ShellWalk& shells, const Place& observer, const Vector& view, const Vector& to_sun);
+  FirstCollision(const ShellWalk& shells, const PhotonPosition& observer, const Vector& view,
+                 const Vector& to_sun);
 
   struct Draw {
     bool ground = false;
-    Place place;
+    PhotonPosition place;
     double weight = 0.0;  ///< e^{-τ} β_ext / density drawn from; ground: e^{-τ} / share
   };
   /// @param choice  in [0, 1); stratified over a batch: reused within the piece that it falls in
@@ -36,12 +37,12 @@ class FirstCollision {
   };
 
   const ShellWalk& shells_;
-  Place observer_;
+  PhotonPosition observer_;
   Vector view_;
   std::vector<Piece> pieces_;
   bool hits_ground_ = false;
   double depth_to_ground_ = 0.0;
-  Place ground_;
+  PhotonPosition ground_;
   std::vector<double> cumulative_;  ///< shares of pieces, the ground last
 };
 

@@ -39,7 +39,7 @@ PhotonTracer::PhotonTracer(const Shells& shells, const OpticalColumn& column, co
   if (!samplers_.empty() && samplers_[most_peaked_].value(1.0) > kPeak) share_towards_sun_ = kShareTowardsSun;
 }
 
-double PhotonTracer::sunlight_scattered(const Place& place, const Vector& direction) const {
+double PhotonTracer::sunlight_scattered(const PhotonPosition& place, const Vector& direction) const {
   const double transmitted = std::exp(-shells_.depth_to_top(place, to_sun_));
   if (transmitted == 0.0) return 0.0;
   // Backwards: light from the sun turns by the same angle as the photon that goes towards it.
@@ -50,13 +50,13 @@ double PhotonTracer::sunlight_scattered(const Place& place, const Vector& direct
   return scattered / (4.0 * kPi) * transmitted;
 }
 
-double PhotonTracer::sunlight_reflected(const Place& place) const {
+double PhotonTracer::sunlight_reflected(const PhotonPosition& place) const {
   const double cos_sun = dot(normalised(place.position), to_sun_);
   if (cos_sun <= 0.0) return 0.0;
   return ground_albedo_ / kPi * cos_sun * std::exp(-shells_.depth_to_top(place, to_sun_));
 }
 
-double PhotonTracer::scatter(const Place& place, Vector& direction, RandomStream& random) const {
+double PhotonTracer::scatter(const PhotonPosition& place, Vector& direction, RandomStream& random) const {
   const std::vector<double>& shares = albedo_[place.layer];
   double albedo = 0.0;
   for (double share : shares) albedo += share;
@@ -87,7 +87,7 @@ double PhotonTracer::scatter(const Place& place, Vector& direction, RandomStream
   return albedo * 0.5 * sampler.value(cos_angle) / density;
 }
 
-double PhotonTracer::reflect(const Place& place, Vector& direction, RandomStream& random) const {
+double PhotonTracer::reflect(const PhotonPosition& place, Vector& direction, RandomStream& random) const {
   // Lambert: the square of the cosine of the zenith angle is uniform; densities are per 2π of azimuth.
   const Vector up = normalised(place.position);
   const double azimuth = 2.0 * kPi * random.uniform();
@@ -101,7 +101,7 @@ double PhotonTracer::reflect(const Place& place, Vector& direction, RandomStream
   return ground_albedo_ * law / density;
 }
 
-WalkEnd PhotonTracer::fly(Place& place, const Vector& direction, RandomStream& random) const {
+WalkEnd PhotonTracer::fly(PhotonPosition& place, const Vector& direction, RandomStream& random) const {
   double left = -std::log(1.0 - random.uniform());
   double flown = 0.0;
   std::size_t in_layer = place.layer;
@@ -121,7 +121,7 @@ WalkEnd PhotonTracer::fly(Place& place, const Vector& direction, RandomStream& r
 }
 
 double PhotonTracer::trace(const FirstCollision::Draw& first, Vector direction, RandomStream& random) const {
-  Place place = first.place;
+  PhotonPosition place = first.place;
   bool at_ground = first.ground;
   double weight = 1.0;  // relative to the first collision's
   double found = 0.0;

@@ -20,14 +20,14 @@ class PhotonTracer {
   double trace(const FirstCollision::Draw& first, Vector view, RandomStream& random) const;
 
  private:
-  double sunlight_scattered(const Place& place, const Vector& direction) const;
-  double sunlight_reflected(const Place& place) const;
+  double sunlight_scattered(const PhotonPosition& place, const Vector& direction) const;
+  double sunlight_reflected(const PhotonPosition& place) const;
   /// Scatters: new direction; returns the factor on the weight. 0 if the layer only absorbs.
-  double scatter(const Place& place, Vector& direction, RandomStream& random) const;
+  double scatter(const PhotonPosition& place, Vector& direction, RandomStream& random) const;
   /// Reflects at the ground: the same.
-  double reflect(const Place& place, Vector& direction, RandomStream& random) const;
+  double reflect(const PhotonPosition& place, Vector& direction, RandomStream& random) const;
   /// Free flight to the next collision.
-  WalkEnd fly(Place& place, const Vector& direction, RandomStream& random) const;
+  WalkEnd fly(PhotonPosition& place, const Vector& direction, RandomStream& random) const;
 
   ShellWalk shells_;
   Vector to_sun_;

@@ -32,7 +32,7 @@ ShellWalk::ShellWalk(const Shells& shells, const OpticalColumn& column) {
     extinction_.push_back(column.extinction_depth[i] / (shells.levels_km[i + 1] - shells.levels_km[i]));
 }
 
-double ShellWalk::depth_to_top(const Place& from, const Vector& direction) const {
+double ShellWalk::depth_to_top(const PhotonPosition& from, const Vector& direction) const {
   double depth = 0.0;
   const WalkEnd end = walk(from, direction, [&](std::size_t layer, double, double length) {
     depth += extinction_[layer] * length;

@@ -22,7 +22,7 @@ Vector normalised(const Vector& v);
 Vector turned(const Vector& direction, double cos_angle, double azimuth);
 
 /// A point of a photon's path and the layer it lies in (on a boundary: the layer that it is about to enter).
-struct Place {
+struct PhotonPosition {
   Vector position{};      ///< km from the planet's centre
   std::size_t layer = 0;  ///< index from the ground
 };
@@ -42,10 +42,10 @@ class ShellWalk {
   /// Follows a ray through the layers. `visit(layer, start_km, length_km)` is called for each piece in turn,
   /// start_km from the ray's origin, and returns false to stop.
   template <typename Visit>
-  WalkEnd walk(const Place& from, const Vector& direction, const Visit& visit) const;
+  WalkEnd walk(const PhotonPosition& from, const Vector& direction, const Visit& visit) const;
 
   /// Optical depth to the top of the atmosphere; infinite if the ground is in the way.
-  double depth_to_top(const Place& from, const Vector& direction) const;
+  double depth_to_top(const PhotonPosition& from, const Vector& direction) const;
 
  private:
   std::vector<double> radius_;      ///< km, of the levels
@@ -53,7 +53,7 @@ class ShellWalk {
 };
 
 template <typename Visit>
-WalkEnd ShellWalk::walk(const Place& from, const Vector& direction, const Visit& visit) const {
+WalkEnd ShellWalk::walk(const PhotonPosition& from, const Vector& direction, const Visit& visit) const {
   // r²(s) = p² + (s + b)², b = x·Ω, p the ray's closest approach to the centre; the ray meets radius R at
   // s = -b ± √(R² - p²).
   const double b = dot(from.position, direction);

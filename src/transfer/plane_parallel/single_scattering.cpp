@@ -39,18 +39,19 @@ double cos_scattering_angle(double cos_view, double cos_sun, double azimuth) {
 }
 
 std::vector<double> exact_single_scattering(const OpticalColumn& column, const ScaledMedium& medium,
-                                            const PlaneParallelRequest& request) {
-  const std::size_t views = request.cos_views.size();
-  const std::size_t azimuths = request.relative_azimuths_rad.size();
-  std::vector<double> radiance(request.output_depths.size() * views * azimuths);
-  for (std::size_t view = 0; view < views; ++view) {
-    const Eigen::MatrixXd integral = beam_integrals(medium, request.cos_views[view], request.cos_sun_zenith);
-    for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) {
-      const double angle = cos_scattering_angle(request.cos_views[view], request.cos_sun_zenith,
-                                                request.relative_azimuths_rad[azimuth]);
-      std::vector<double> phase;
-      for (const Scatterer& scatterer : column.scatterers) phase.push_back(scatterer.phase->value(angle));
-      Eigen::VectorXd scattering(static_cast<Eigen::Index>(medium.optics.size()));
+                                            const PlaneParallelRequest& request, const ViewList& views) {
+  const std::size_t directions = request.directions.size();
+  std::vector<std::vector<std::size_t>> of_view(views.cosines.size());
+  for (std::size_t i = 0; i < directions; ++i) of_view[views.of_direction[i]].push_back(i);
+  std::vector<double> radiance(request.output_depths.size() * directions);
+  Eigen::VectorXd scattering(static_cast<Eigen::Index>(medium.optics.size()));
+  std::vector<double> phase(column.scatterers.size());
+  for (std::size_t view = 0; view < views.cosines.size(); ++view) {
+    const Eigen::MatrixXd integral = beam_integrals(medium, views.cosines[view], request.cos_sun_zenith);
+    for (const std::size_t direction : of_view[view]) {
+      const double angle = cos_scattering_angle(views.cosines[view], request.cos_sun_zenith,
+                                                request.directions[direction].relative_azimuth_rad);
+      for (std::size_t s = 0; s < phase.size(); ++s) phase[s] = column.scatterers[s].phase->value(angle);
       for (std::size_t i = 0; i < medium.optics.size(); ++i) {
         double sum = 0.0;
         for (std::size_t s = 0; s < phase.size(); ++s)
@@ -58,7 +59,7 @@ std::vector<double> exact_single_scattering(const OpticalColumn& column, const S
         scattering[static_cast<Eigen::Index>(i)] = sum / (4.0 * kPi * medium.optics[i].depth_factor);
       }
       for (std::size_t depth = 0; depth < request.output_depths.size(); ++depth)
-        radiance[(depth * views + view) * azimuths + azimuth] =
+        radiance[depth * directions + direction] =
             integral.row(static_cast<Eigen::Index>(medium.output_bounds[depth])).dot(scattering);
     }
   }

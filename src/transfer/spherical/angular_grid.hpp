@@ -7,13 +7,21 @@
 
 namespace skylut::transfer {
 
+/// Highest Legendre degree that a discretisation takes, and what follows from a degree L: azimuthal orders up
+/// to 3/4 L, and as many azimuth nodes as keep the products of two orders apart, an even number. The kernels'
+/// scratch space for the azimuths of one polar node has this fixed size.
+inline constexpr int kMostLegendreDegree = 30;
+constexpr int azimuthal_order_for(int max_l) { return (3 * max_l + 3) / 4; }
+constexpr int azimuth_nodes_for(int max_m) { return (max_m + 2) / 2 * 2; }
+inline constexpr int kMostAzimuths = azimuth_nodes_for(azimuthal_order_for(kMostLegendreDegree));
+
 /// How finely directions are resolved. The diffuse radiance enters the source only through its moments
 ///   M_lm = (1/4π) ∫ Λ_lm(μ) cos(mφ) I dΩ,  l <= max_l, m <= min(l, max_m).   [theory.md §4.3, M1]
 struct AngularResolution {
   int max_l = 12;          ///< highest Legendre order of the (delta-M scaled) phase function
   int max_m = 9;           ///< highest azimuthal order
   int polar_nodes = 10;    ///< μ nodes per hemisphere
-  int azimuth_nodes = 10;  ///< φ midpoints in (0, π); even
+  int azimuth_nodes = 10;  ///< φ midpoints in (0, π); even, at most kMostAzimuths
 
   bool operator==(const AngularResolution&) const = default;
 };
@@ -53,7 +61,7 @@ class AngularGrid {
   /// Moments are stored by m, then l from m to max_l: position of (m, m).
   int moment_offset(int m) const { return moment_offset_[static_cast<std::size_t>(m)]; }
   int moments() const { return moment_offset_.back(); }
-  int degrees(int m) const { return resolution_.max_l + 1 - m; }
+  int legendre_terms(int m) const { return resolution_.max_l + 1 - m; }
 
   /// |μ| of the polar nodes, ascending. Gauss-Legendre in t = √μ crowds them at the horizon, where a
   /// spherical sky changes fastest; weight[j] integrates over |μ| in [0, 1].
@@ -62,12 +70,12 @@ class AngularGrid {
   const std::vector<double>& azimuth_rad() const { return azimuth_rad_; }
 
   /// Λ_lm at the polar nodes of a hemisphere: rows = nodes, columns = l. One per m.
-  const PanelMatrix& polar_synthesis(Hemisphere half, int m) const {
-    return polar_synthesis_[half][static_cast<std::size_t>(m)];
+  const PanelMatrix& polar_synthesis(Hemisphere hemisphere, int m) const {
+    return polar_synthesis_[hemisphere][static_cast<std::size_t>(m)];
   }
   /// Its transpose with the quadrature weights: rows = l, columns = nodes; includes 1/4π and dφ.
-  const PanelMatrix& polar_analysis(Hemisphere half, int m) const {
-    return polar_analysis_[half][static_cast<std::size_t>(m)];
+  const PanelMatrix& polar_analysis(Hemisphere hemisphere, int m) const {
+    return polar_analysis_[hemisphere][static_cast<std::size_t>(m)];
   }
   /// The azimuth nodes lie symmetrically about π/2, where cos mφ is even for even m and odd for odd m: half
   /// of the nodes do for each parity. (2-δ_m0) cos(mφ_k): rows = the first half of the nodes, columns = m of

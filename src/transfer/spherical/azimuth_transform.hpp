@@ -9,8 +9,6 @@
 
 namespace skylut::transfer {
 
-inline constexpr int kMostAzimuths = 32;
-
 /// Σ_m (2-δ_m0) order_m cos mφ at the azimuth nodes: even and odd m on half of the nodes, which mirror each
 /// other about π/2.
 template <class V>

@@ -9,35 +9,35 @@ namespace skylut::transfer {
 namespace {
 
 /// Scales one column's layers into lane `lane`. [S2-S4]
-void scale_column(const Shells& shells, const OpticalColumn& column, std::size_t degrees, bool delta_m,
+void scale_column(const Shells& shells, const OpticalColumn& column, std::size_t legendre_terms, bool delta_m,
                   std::size_t lane, std::size_t lanes, ScaledLayers& scaled) {
   // χ_l of every scatterer up to the degree that delta-M cuts off.
   std::vector<std::vector<double>> chi;
   for (const Scatterer& scatterer : column.scatterers) {
     std::vector<double>& moments = chi.emplace_back();
-    for (std::size_t l = 0; l <= degrees; ++l)
+    for (std::size_t l = 0; l <= legendre_terms; ++l)
       moments.push_back(scatterer.phase->moment(static_cast<int>(l)));
   }
   for (std::size_t layer = 0; layer < column.extinction_depth.size(); ++layer) {
-    std::vector<double> mixed(degrees + 1);
+    std::vector<double> mixed(legendre_terms + 1);
     for (std::size_t s = 0; s < chi.size(); ++s)
-      for (std::size_t l = 0; l <= degrees; ++l)
+      for (std::size_t l = 0; l <= legendre_terms; ++l)
         mixed[l] += column.scatterers[s].scattering_depth[layer] * chi[s][l];
     // Truncated forward peak: f = χ_{L+1}; β' = β - f β_sca, and β'ω'χ'_l = β_sca (χ_l - f).
-    const double peak = delta_m ? mixed[degrees] : 0.0;
+    const double peak = delta_m ? mixed[legendre_terms] : 0.0;
     const double depth = column.extinction_depth[layer] - peak;
     const double thickness_km = shells.levels_km[layer + 1] - shells.levels_km[layer];
     scaled.extinction_per_km[layer * lanes + lane] = static_cast<float>(depth / thickness_km);
-    for (std::size_t l = 0; l < degrees; ++l)
-      scaled.source_factor[(layer * degrees + l) * lanes + lane] =
+    for (std::size_t l = 0; l < legendre_terms; ++l)
+      scaled.source_factor[(layer * legendre_terms + l) * lanes + lane] =
           depth > 0.0 ? static_cast<float>((2.0 * static_cast<double>(l) + 1.0) * (mixed[l] - peak) / depth)
                       : 0.0f;
   }
 }
 
-ScaledLayers zero_layers(const Shells& shells, std::size_t degrees, std::size_t lanes) {
+ScaledLayers zero_layers(const Shells& shells, std::size_t legendre_terms, std::size_t lanes) {
   const std::size_t layers = shells.levels_km.size() - 1;
-  return {std::vector<float>(layers * lanes), std::vector<float>(layers * degrees * lanes)};
+  return {std::vector<float>(layers * lanes), std::vector<float>(layers * legendre_terms * lanes)};
 }
 
 }  // namespace
@@ -50,31 +50,30 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
   for (const OpticalColumn* one : column)
     scatterers = std::max(scatterers, static_cast<int>(one->scatterers.size()));
 
-  const Shells& shells = grid.medium.shells;
+  const Shells& shells = grid.common.shells;
   const auto width = static_cast<std::size_t>(lanes);
   const std::size_t layer_count = shells.levels_km.size() - 1;
-  const auto degrees = static_cast<std::size_t>(grid.angles.resolution().max_l + 1);
-  layers = zero_layers(shells, degrees, width);
-  sweep_layers = zero_layers(grid.medium.merge.shells(), degrees, width);
+  const auto legendre_terms = static_cast<std::size_t>(grid.angles.resolution().max_l + 1);
+  layers = zero_layers(shells, legendre_terms, width);
+  sweep_layers = zero_layers(grid.common.merge.shells(), legendre_terms, width);
   scattering_per_km.resize(static_cast<std::size_t>(scatterers) * layer_count * width);
   peak_per_km.resize(layer_count * width);
 
   for (std::size_t lane = 0; lane < width; ++lane) {
     const OpticalColumn& one = *column[lane];
     ground_albedo.push_back(static_cast<float>(one.ground_albedo));
-    scale_column(shells, one, degrees, delta_m, lane, width, layers);
-    scale_column(grid.medium.merge.shells(), grid.medium.merge.column(one), degrees, delta_m, lane, width,
-                 sweep_layers);
+    scale_column(shells, one, legendre_terms, delta_m, lane, width, layers);
+    scale_column(grid.common.merge.shells(), grid.common.merge.column(one), legendre_terms, delta_m, lane,
+                 width, sweep_layers);
     for (std::size_t layer = 0; layer < layer_count; ++layer) {
       const double thickness_km = shells.levels_km[layer + 1] - shells.levels_km[layer];
       const double whole = one.extinction_depth[layer] / thickness_km;
       const std::size_t at = layer * width + lane;
       peak_per_km[at] = delta_m ? static_cast<float>(whole) - layers.extinction_per_km[at] : 0.0f;
     }
+    std::vector<ForwardPeakCorrection>& spread = spread_.emplace_back();
     for (const Scatterer& scatterer : one.scatterers)
-      spread_.emplace_back(*scatterer.phase, grid.angles.resolution().max_l);
-    for (std::size_t s = one.scatterers.size(); s < static_cast<std::size_t>(scatterers); ++s)
-      spread_.push_back(spread_.back());
+      spread.emplace_back(*scatterer.phase, grid.angles.resolution().max_l);
     for (std::size_t s = 0; s < one.scatterers.size(); ++s)
       for (std::size_t layer = 0; layer < layer_count; ++layer)
         scattering_per_km[(s * layer_count + layer) * width + lane] =
@@ -97,12 +96,15 @@ void BlockOptics::peak_values(double cos_scattering_angle, float* value) const {
   const auto width = static_cast<std::size_t>(lanes);
   const auto count = static_cast<std::size_t>(scatterers);
   std::size_t terms = 1;
-  for (const PeakSpread& spread : spread_) terms = std::max(terms, spread.terms());
+  for (const std::vector<ForwardPeakCorrection>& lane : spread_)
+    for (const ForwardPeakCorrection& spread : lane) terms = std::max(terms, spread.terms());
   const std::vector<double> legendre =
       normalised_legendre(0, static_cast<int>(terms) - 1, cos_scattering_angle);
   for (std::size_t lane = 0; lane < width; ++lane)
     for (std::size_t s = 0; s < count; ++s) {
-      const PeakSpread::Coefficients spread = spread_[lane * count + s].at(legendre);
+      // A lane with fewer scatterers than its block has none, and none scatters, in the places left over.
+      ForwardPeakCorrection::Coefficients spread;
+      if (s < spread_[lane].size()) spread = spread_[lane][s].at(legendre);
       value[s * width + lane] = static_cast<float>(spread.first);
       value[(count + s) * width + lane] = static_cast<float>(spread.second);
     }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "discretisation.hpp"
+#include "forward_peak_correction.hpp"
 #include "kernel_problem.hpp"
-#include "peak_spread.hpp"
 
 namespace skylut::transfer {
 
@@ -36,8 +36,12 @@ struct BlockOptics {
   std::vector<float> ground_albedo;      ///< [lane]
 
   OpticsView view() const {
-    return {scatterers,         layers.view(),       sweep_layers.view(), scattering_per_km.data(),
-            peak_per_km.data(), ground_albedo.data()};
+    return {.scatterers = scatterers,
+            .layers = layers.view(),
+            .sweep_layers = sweep_layers.view(),
+            .scattering_per_km = scattering_per_km.data(),
+            .peak_per_km = peak_per_km.data(),
+            .ground_albedo = ground_albedo.data()};
   }
 
   /// Exact phase function of each scatterer and lane at one scattering angle: [scatterer][lane].
@@ -46,7 +50,7 @@ struct BlockOptics {
   void peak_values(double cos_scattering_angle, float* value) const;
 
  private:
-  std::vector<PeakSpread> spread_;  // [lane][scatterer]
+  std::vector<std::vector<ForwardPeakCorrection>> spread_;  // [lane][the lane's own scatterers]
 };
 
 }  // namespace skylut::transfer

@@ -4,7 +4,7 @@
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
-#include "sun_depth.hpp"
+#include "slant_depth.hpp"
 
 // Multiple scattering of one block of lanes: successive orders on short characteristics, with the moments
 // of the diffuse radiance as the only unknowns. Reading order: solve, sweep_down, sweep_up, then what
@@ -15,45 +15,44 @@ namespace skylut::transfer {
 template <class V>
 class DiffuseField {
  public:
-  DiffuseField(const SweepView& grid, const OpticsView& optics, const SunDepth<V>& sun_depth)
+  DiffuseField(const SweepView& grid, const OpticsView& optics, const SlantDepthToSun<V>& slant_depth)
       : grid_(grid),
         optics_(optics),
-        sun_depth_(sun_depth),
-        half_{LaneArray<V>(count(grid.sublayers + 1, grid.moments)),
-              LaneArray<V>(count(grid.sublayers + 1, grid.moments))},
-        beam_gain_(count(grid.sublayers, 1)),
+        slant_depth_(slant_depth),
+        hemisphere_{LaneArray<V>(count(grid.sublayers + 1, grid.moments)),
+                    LaneArray<V>(count(grid.sublayers + 1, grid.moments))},
+        beam_mean_factor_(count(grid.sublayers, 1)),
         beam_(count(grid.sublayers + 1, 1)),
         radiance_(count(1, directions())),
         upwind_(count(1, directions())),
         local_source_(count(1, directions())),
         chords_(count(grid.sublayers + 1, grid.chord_nodes * grid.azimuth_nodes)),
         ground_irradiance_(count(1, 1)),
-        watched_(count(grid.sublayers + 1, kWatched)),
+        monitored_(count(grid.sublayers + 1, kMonitored)),
         mean_change_(count(grid.sublayers + 1, 1)),
         last_change_(count(1, 1)),
         step_weights_(static_cast<std::size_t>(grid.polar_nodes)),
         scaled_moments_(static_cast<std::size_t>(grid.moments)),
-        orders_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {
-    source_half_[kDown] = half_[kDown].data();
-    source_half_[kUp] = half_[kUp].data();
+        by_azimuthal_order_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {
+    source_moments_[kDown] = hemisphere_[kDown].data();
+    source_moments_[kUp] = hemisphere_[kUp].data();
   }
 
   /// Iterates until every lane and sun node has converged (Gauss-Seidel: every step uses the newest field),
   /// or sums the orders asked for one by one (every step uses the field of one order less). [T3, I4]
-  /// @return false if a lane has not converged within the limit
-  bool solve(const IterationLimits& limits);
+  IterationReport solve(const IterationLimits& limits);
 
-  /// Moments of the whole diffuse radiance [level][node][moment] and diffuse irradiance of the ground
-  /// [node], after solve.
-  LaneArray<V> take_moments() { return static_cast<LaneArray<V>&&>(half_[kDown]); }
+  /// Moments of the whole diffuse radiance, of both hemispheres together [level][node][moment], and diffuse
+  /// irradiance of the ground [node], after solve; once each.
+  LaneArray<V> take_moments();
   LaneArray<V> take_ground_irradiance() { return static_cast<LaneArray<V>&&>(ground_irradiance_); }
 
  private:
-  static constexpr int kWatched = 3;
-  static constexpr int kPushEvery = 3;
+  static constexpr int kMonitored = 3;
+  static constexpr int kExtrapolateEvery = 3;
 
   std::size_t count(int levels, int each) const {
-    return static_cast<std::size_t>(levels * grid_.sun_nodes * each);
+    return static_cast<std::size_t>(levels) * static_cast<std::size_t>(grid_.sun_nodes * each);
   }
   int directions() const { return grid_.polar_nodes * grid_.azimuth_nodes; }
   std::size_t moment_index(int level, int node) const {
@@ -68,76 +67,89 @@ class DiffuseField {
   void sweep_down(LaneMask<V> active);
   void reflect_at_ground(LaneMask<V> active, bool by_order);
   void sweep_up(LaneMask<V> active);
-  void source(Hemisphere half, int sublayer, int level, int node, int polar_count, V* to);
-  void analyse(Hemisphere half, int level, int node, LaneMask<V> active);
-  void transport(Hemisphere half, int sublayer, int start_level, int end_level);
+  void source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count, V* to);
+  void analyse(Hemisphere hemisphere, int level, int node, LaneMask<V> active);
+  void transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level);
   LaneMask<V> accelerate_and_test(int iteration, const IterationLimits& limits, LaneMask<V> active);
-  void merge_halves();
 
   const SweepView& grid_;
   const OpticsView& optics_;
-  const SunDepth<V>& sun_depth_;
-  const V* source_half_[2];    // the moments that make the source: half_, or those of one order less
-  LaneArray<V> half_[2];       // moments of each hemisphere [level][node][moment]
-  LaneArray<V> beam_gain_;     // see attenuate_beam [sublayer][node]
-  LaneArray<V> beam_;          // transmission of the sunbeam [level][node]
-  LaneArray<V> radiance_;      // at the level the sweep has reached [node][direction]
-  LaneArray<V> upwind_;        // interpolated in polar angle, at the start of the step
-  LaneArray<V> local_source_;  // source at the end of the step, then at its start
-  LaneArray<V> chords_;        // downward radiance of grazing directions [level][node][polar][azimuth]
+  const SlantDepthToSun<V>& slant_depth_;
+  const V* source_moments_[2];     // that make the source: hemisphere_, or those of one order less
+  LaneArray<V> hemisphere_[2];     // moments of each hemisphere [level][node][moment]
+  LaneArray<V> beam_mean_factor_;  // see attenuate_beam [sublayer][node]
+  LaneArray<V> beam_;              // transmission of the sunbeam [level][node]
+  LaneArray<V> radiance_;          // at the level the sweep has reached [node][direction]
+  LaneArray<V> upwind_;            // interpolated in polar angle, at the start of the step
+  LaneArray<V> local_source_;      // source at the end of the step, then at its start
+  LaneArray<V> chords_;            // downward radiance of grazing directions [level][node][polar][azimuth]
   LaneArray<V> ground_irradiance_;
-  LaneArray<V> watched_;      // M_00, M_10, M_20 after the last iteration [level][node][kWatched]
+  LaneArray<V> monitored_;    // M_00, M_10, M_20 after the last iteration [level][node][kMonitored]
   LaneArray<V> mean_change_;  // last change of M_00 [level][node]
   LaneArray<V> last_change_;  // summed over the column [node]
   LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
   LaneArray<V> scaled_moments_;
-  LaneArray<V> orders_;
+  LaneArray<V> by_azimuthal_order_;
+  V error_left_{};  // of each lane, when it was last judged
 };
 
 template <class V>
-bool DiffuseField<V>::solve(const IterationLimits& limits) {
+IterationReport DiffuseField<V>::solve(const IterationLimits& limits) {
+  IterationReport report;
+  const auto stops = [&] {
+    const bool asked = limits.cancelled != nullptr && limits.cancelled(limits.token);
+    if (asked) report.end = IterationReport::kCancelled;
+    return asked;
+  };
   attenuate_beam();
   LaneMask<V> active = V{} == V{};
-  if (limits.orders > 0) {
-    LaneArray<V> previous[2] = {LaneArray<V>(half_[kDown].size()), LaneArray<V>(half_[kUp].size())};
+  if (limits.scattering_orders > 0) {
+    LaneArray<V> previous[2] = {LaneArray<V>(hemisphere_[kDown].size()),
+                                LaneArray<V>(hemisphere_[kUp].size())};
     // The last order is added by the line of sight.
-    for (int order = 1; order < limits.orders; ++order) {
-      for (const Hemisphere half : {kDown, kUp}) {
-        previous[half].copy(half_[half]);
-        source_half_[half] = previous[half].data();
+    for (int order = 1; order < limits.scattering_orders; ++order) {
+      if (stops()) return report;
+      for (const Hemisphere hemisphere : {kDown, kUp}) {
+        previous[hemisphere].copy(hemisphere_[hemisphere]);
+        source_moments_[hemisphere] = previous[hemisphere].data();
       }
       sweep_down(active);
       reflect_at_ground(active, true);
       sweep_up(active);
+      report.iterations = order;
     }
-    merge_halves();
-    return true;
+    report.end = IterationReport::kConverged;
+    return report;
   }
-  for (int iteration = 1; iteration <= limits.max_iterations; ++iteration) {
+  while (report.iterations < limits.max_iterations) {
+    if (stops()) return report;
+    ++report.iterations;
     sweep_down(active);
     reflect_at_ground(active, false);
     sweep_up(active);
-    active = accelerate_and_test(iteration, limits, active);
-    bool any = false;
-    for (int lane = 0; lane < kLaneCount<V>; ++lane) any = any || active[lane] != 0;
-    if (!any) {
-      merge_halves();
-      return true;
-    }
+    active = accelerate_and_test(report.iterations, limits, active);
+    if (any_lane<V>(active)) continue;
+    report.end = IterationReport::kConverged;
+    float error[kLaneCount<V>];
+    store(error_left_, error);
+    for (const float lane : error) report.error_left = lane > report.error_left ? lane : report.error_left;
+    return report;
   }
-  merge_halves();
-  return false;
+  return report;
 }
 
 template <class V>
 V DiffuseField<V>::beam_transmission(int point, int node) const {
-  const SunDepthTaps& taps = grid_.beam_taps[point * grid_.sun_nodes + node];
-  return taps.rising == kShadow ? V{} : exp_minus(sun_depth_(taps));
+  const SlantDepthWeights& weights = grid_.beam_weights[point * grid_.sun_nodes + node];
+  return weights.from_level == kShadow ? V{} : exp_minus(slant_depth_(weights));
 }
 
-/// Transmission of the sunbeam at every level, and the factor that makes the mean of its two ends the mean
-/// over a sublayer, weighted by extinction: by Simpson's rule within one layer, else by the middles of the
-/// pieces. Without it a low sun is 1 % off. [M4]
+/// Transmission of the sunbeam at every level, and what makes the mean of its two ends the mean over a
+/// sublayer. The source that a ray collects in the sublayer needs the mean of T over the optical depth,
+///   T̄ = Σ Δτ T / Σ Δτ, T in the middle of every piece of one layer; for one piece Simpson's (T₀ + 4T_½ +
+///   T₁)/6,
+/// while transport takes T as linear between the ends, of mean (T₀ + T₁)/2. Both are therefore multiplied by
+///   c = 2T̄/(T₀ + T₁). Without it a low sun is 1 % off. [M4]
 template <class V>
 void DiffuseField<V>::attenuate_beam() {
   const int levels = grid_.sublayers + 1;
@@ -158,62 +170,68 @@ void DiffuseField<V>::attenuate_beam() {
       const V ends = level[k * grid_.sun_nodes] + level[(k + 1) * grid_.sun_nodes];
       V mean = sum / weights;
       if (grid_.first_piece[k + 1] - grid_.first_piece[k] == 1) mean = (4.0f * mean + ends) * (1.0f / 6.0f);
-      beam_gain_.data()[k * grid_.sun_nodes + node] =
+      beam_mean_factor_.data()[k * grid_.sun_nodes + node] =
           select<V>(ends > 1e-30f, 2.0f * mean / (ends + 1e-30f), V{});
     }
   }
 }
 
-/// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes:
-/// J = ω Σ (2l+1) χ_l (2-δ_m0) Λ_lm cos(mφ) [M_lm + T c Λ_lm(-μs)/4π]. [M3, M4]
+/// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes.
+/// J = ω/4π ∫ P(Θ) (I + beam) dΩ' with P = Σ (2l+1) χ_l P_l(cosΘ), and by the addition theorem
+///   P_l(cosΘ) = Σ_m (2-δ_m0) Λ_lm(μ) Λ_lm(μ') cos m(φ-φ'),
+/// so that of I only its moments M_lm count, and of the beam, c T δ(Ω'-Ω_sun), c T Λ_lm(-μs)/4π:
+///   J = Σ_m (2-δ_m0) cos mφ Σ_l ω (2l+1) χ_l Λ_lm(μ) [M_lm + c T Λ_lm(-μs)/4π]. [M3, M4]
 template <class V>
-void DiffuseField<V>::source(Hemisphere half, int sublayer, int level, int node, int polar_count, V* to) {
+void DiffuseField<V>::source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count,
+                             V* to) {
   const int layer = grid_.layer_of_sublayer[sublayer];
-  const V transmission =
-      beam_.data()[level * grid_.sun_nodes + node] * beam_gain_.data()[sublayer * grid_.sun_nodes + node];
-  const V* down = source_half_[kDown] + moment_index(level, node);
-  const V* up = source_half_[kUp] + moment_index(level, node);
+  const V transmission = beam_.data()[level * grid_.sun_nodes + node] *
+                         beam_mean_factor_.data()[sublayer * grid_.sun_nodes + node];
+  const V* down = source_moments_[kDown] + moment_index(level, node);
+  const V* up = source_moments_[kUp] + moment_index(level, node);
   const float* beam_moment = grid_.beam_moment + node * grid_.moments;
-  const float* factor = optics_.sweep_layers.source_factor + layer * grid_.degrees * kLaneCount<V>;
+  const float* factor = optics_.sweep_layers.source_factor + layer * grid_.legendre_terms * kLaneCount<V>;
   V* scaled = scaled_moments_.data();
   for (int i = 0; i < grid_.moments; ++i)
     scaled[i] = (down[i] + up[i] + transmission * beam_moment[i]) *
                 load<V>(factor + grid_.moment_degree[i] * kLaneCount<V>);
 
-  const int orders = grid_.azimuthal_orders;
-  V* by_order = orders_.data();
-  for (int m = 0; m < orders; ++m)
-    apply_matrix(grid_.polar_synthesis[half][m], polar_count, grid_.degrees - m,
-                 scaled + grid_.moment_offset[m], 1, by_order + m, orders);
+  const int azimuthal_orders = grid_.azimuthal_orders;
+  V* by_order = by_azimuthal_order_.data();
+  for (int m = 0; m < azimuthal_orders; ++m)
+    apply_matrix(grid_.polar_synthesis[hemisphere][m], polar_count, grid_.legendre_terms - m,
+                 scaled + grid_.moment_offset[m], 1, by_order + m, azimuthal_orders);
   for (int j = 0; j < polar_count; ++j)
-    azimuths_of_orders(grid_, by_order + j * orders, to + j * grid_.azimuth_nodes);
+    azimuths_of_orders(grid_, by_order + j * azimuthal_orders, to + j * grid_.azimuth_nodes);
 }
 
 /// Moments of one hemisphere's radiance at the level that the sweep has reached. Lanes that have
 /// converged keep theirs. [M1, T3]
 template <class V>
-void DiffuseField<V>::analyse(Hemisphere half, int level, int node, LaneMask<V> active) {
-  const int orders = grid_.azimuthal_orders;
+void DiffuseField<V>::analyse(Hemisphere hemisphere, int level, int node, LaneMask<V> active) {
+  const int azimuthal_orders = grid_.azimuthal_orders;
   const V* radiance = radiance_.data() + node * directions();
-  V* by_order = orders_.data();
+  V* by_order = by_azimuthal_order_.data();
   for (int j = 0; j < grid_.polar_nodes; ++j)
-    orders_of_azimuths(grid_, radiance + j * grid_.azimuth_nodes, by_order + j * orders);
+    orders_of_azimuths(grid_, radiance + j * grid_.azimuth_nodes, by_order + j * azimuthal_orders);
   V* found = scaled_moments_.data();
-  for (int m = 0; m < orders; ++m)
-    apply_matrix(grid_.polar_analysis[half][m], grid_.degrees - m, grid_.polar_nodes, by_order + m, orders,
-                 found + grid_.moment_offset[m], 1);
-  V* kept = half_[half].data() + moment_index(level, node);
+  for (int m = 0; m < azimuthal_orders; ++m)
+    apply_matrix(grid_.polar_analysis[hemisphere][m], grid_.legendre_terms - m, grid_.polar_nodes,
+                 by_order + m, azimuthal_orders, found + grid_.moment_offset[m], 1);
+  V* kept = hemisphere_[hemisphere].data() + moment_index(level, node);
   for (int i = 0; i < grid_.moments; ++i) kept[i] = select<V>(active, found[i], kept[i]);
 }
 
-/// Carries radiance_ across a sublayer: attenuation and source at the start of every ray, interpolated in
-/// polar angle, then in solar zenith angle, plus the source at its end. The azimuth is kept: over one step
-/// it turns by less than what the nodes resolve. [T1, T2]
+/// Carries radiance_ across a sublayer. Along a ray dI/dt = J - I, so that over a step of optical depth t
+///   I_end = e^-t I_start + ∫₀ᵗ J(t') e^-(t-t') dt' = e^-t I_start + upwind J_start + local J_end
+/// for a J linear in optical depth (StepWeights). What stands at the start, e^-t I + upwind J, is
+/// interpolated there in polar angle, then in solar zenith angle, since the sun stands otherwise where the
+/// ray started. The azimuth is kept: over one step it turns by less than what the nodes resolve. [T1, T2]
 template <class V>
-void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, int end_level) {
+void DiffuseField<V>::transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level) {
   const int azimuths = grid_.azimuth_nodes;
   const V beta = extinction(grid_.layer_of_sublayer[sublayer]);
-  const PolarStep* steps = grid_.polar_step[half] + sublayer * grid_.polar_nodes;
+  const PolarStep* steps = grid_.polar_step[hemisphere] + sublayer * grid_.polar_nodes;
   int chord_count = 0;
   for (int j = 0; j < grid_.polar_nodes; ++j) {
     step_weights_.data()[j] = step_weights(beta * steps[j].length_km);
@@ -222,20 +240,20 @@ void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, 
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* start_source = local_source_.data() + node * directions();
-    source(half, sublayer, start_level, node, grid_.polar_nodes, start_source);
+    source(hemisphere, sublayer, start_level, node, grid_.polar_nodes, start_source);
     const V* radiance = radiance_.data() + node * directions();
     V* upwind = upwind_.data() + node * directions();
     for (int j = chord_count; j < grid_.polar_nodes; ++j) {
       const StepWeights<V>& weights = step_weights_.data()[j];
-      const Taps& taps = steps[j].upwind;
+      const InterpolationWeights& nodes = steps[j].upwind;
       V transmitted[4];
       V emitted[4];
       for (int t = 0; t < 4; ++t) {
-        transmitted[t] = weights.transmission * taps.weight[t];
-        emitted[t] = weights.upwind * taps.weight[t];
+        transmitted[t] = weights.transmission * nodes.weight[t];
+        emitted[t] = weights.upwind * nodes.weight[t];
       }
-      const V* from = radiance + taps.first * azimuths;
-      const V* made = start_source + taps.first * azimuths;
+      const V* from = radiance + nodes.first * azimuths;
+      const V* made = start_source + nodes.first * azimuths;
       for (int k = 0; k < azimuths; ++k) {
         V sum{};
         for (int t = 0; t < 4; ++t)
@@ -256,16 +274,17 @@ void DiffuseField<V>::transport(Hemisphere half, int sublayer, int start_level, 
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* end_source = local_source_.data() + node * directions();
-    source(half, sublayer, end_level, node, grid_.polar_nodes, end_source);
+    source(hemisphere, sublayer, end_level, node, grid_.polar_nodes, end_source);
     V* radiance = radiance_.data() + node * directions();
-    const Taps* taps = grid_.sun_taps[half] + static_cast<std::size_t>(sublayer * grid_.sun_nodes + node) *
-                                                  static_cast<std::size_t>(directions());
+    const InterpolationWeights* suns =
+        grid_.sun_weights[hemisphere] +
+        static_cast<std::size_t>(sublayer * grid_.sun_nodes + node) * static_cast<std::size_t>(directions());
     for (int j = 0; j < grid_.polar_nodes; ++j) {
       const V local = step_weights_.data()[j].local;
       for (int d = j * azimuths; d < (j + 1) * azimuths; ++d) {
-        const V* from = upwind_.data() + taps[d].first * directions() + d;
+        const V* from = upwind_.data() + suns[d].first * directions() + d;
         V sum = local * end_source[d];
-        for (int t = 0; t < 4; ++t) sum += from[t * directions()] * taps[d].weight[t];
+        for (int t = 0; t < 4; ++t) sum += from[t * directions()] * suns[d].weight[t];
         radiance[d] = sum;
       }
     }
@@ -302,7 +321,7 @@ void DiffuseField<V>::reflect_at_ground(LaneMask<V> active, bool by_order) {
     kept = select<V>(active, irradiance, kept);
     const float cosine = grid_.sun_cosine[node];
     const V direct = cosine > 0.0f ? beam_.data()[node] * cosine : V{};
-    const V reflected = albedo * ((by_order ? before : kept) + direct) * 0.318309886f;
+    const V reflected = albedo * ((by_order ? before : kept) + direct) * kInversePi;
     for (int d = 0; d < directions(); ++d) radiance[d] = reflected;
     analyse(kUp, 0, node, active);
   }
@@ -318,32 +337,34 @@ void DiffuseField<V>::sweep_up(LaneMask<V> active) {
 
 /// The changes of successive iterations fall off like λ^n. Per lane and sun node: λ from the last two
 /// changes of the moments (l <= 2, m = 0), and the error left as λ/(1-λ) times the last change. Every third
-/// iteration all moments of the column are pushed on by as much as M_00 has still to go; the iteration
-/// after a push has no predecessor to compare with and is not judged. [I1-I3]
+/// iteration all moments of the column are extrapolated by as much as M_00 has still to go (Lyusternik 1947);
+/// the iteration after that has no predecessor to compare with and is not judged. [I1-I3]
 /// @return lanes not yet converged
 template <class V>
 LaneMask<V> DiffuseField<V>::accelerate_and_test(int iteration, const IterationLimits& limits,
                                                  LaneMask<V> active) {
   const int levels = grid_.sublayers + 1;
-  const bool judged = iteration > 1 && iteration % kPushEvery != 1;
-  const bool pushes = iteration % kPushEvery == 0;
+  const bool judged = iteration > 1 && iteration % kExtrapolateEvery != 1;
+  const bool extrapolates = iteration % kExtrapolateEvery == 0;
   LaneMask<V> open = judged ? V{} != V{} : V{} == V{};
   // From one sun node to the next no light falls off by more than a thousand, except where none is left (in
   // the night of a planet without curvature): what is below that need not settle.
   V scale{};
+  V error{};
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V change{};
     V size{};
     for (int level = 0; level < levels; ++level) {
-      const V* down = half_[kDown].data() + moment_index(level, node);
-      const V* up = half_[kUp].data() + moment_index(level, node);
-      V* watched = watched_.data() + static_cast<std::size_t>(level * grid_.sun_nodes + node) * kWatched;
-      size += lane_max(watched[0], -watched[0]);
-      for (int i = 0; i < kWatched; ++i) {
+      const V* down = hemisphere_[kDown].data() + moment_index(level, node);
+      const V* up = hemisphere_[kUp].data() + moment_index(level, node);
+      V* monitored =
+          monitored_.data() + static_cast<std::size_t>(level * grid_.sun_nodes + node) * kMonitored;
+      size += lane_max(monitored[0], -monitored[0]);
+      for (int i = 0; i < kMonitored; ++i) {
         const V value = down[i] + up[i];
-        const V step = value - watched[i];
+        const V step = value - monitored[i];
         change += lane_max(step, -step);
-        watched[i] = value;
+        monitored[i] = value;
         if (i == 0) mean_change_.data()[level * grid_.sun_nodes + node] = step;
       }
     }
@@ -354,27 +375,32 @@ LaneMask<V> DiffuseField<V>::accelerate_and_test(int iteration, const IterationL
     if (!judged) continue;
     scale = lane_max(size, scale * 1e-3f);
     open |= change * rest > scale * limits.tolerance;
-    if (!pushes) continue;
-    const V push = lane_min(rest, broadcast<V>(6.0f));
+    error = lane_max(error, change * rest / (scale + 1e-37f));
+    if (!extrapolates) continue;
+    const V extrapolation = lane_min(rest, broadcast<V>(6.0f));
     for (int level = 0; level < levels; ++level) {
-      V* watched = watched_.data() + static_cast<std::size_t>(level * grid_.sun_nodes + node) * kWatched;
-      V gain = 1.0f + push * mean_change_.data()[level * grid_.sun_nodes + node] / (watched[0] + 1e-30f);
+      V* monitored =
+          monitored_.data() + static_cast<std::size_t>(level * grid_.sun_nodes + node) * kMonitored;
+      V gain = 1.0f +
+               extrapolation * mean_change_.data()[level * grid_.sun_nodes + node] / (monitored[0] + 1e-30f);
       gain = lane_max(lane_min(gain, broadcast<V>(2.0f)), broadcast<V>(0.5f));
       gain = select<V>(active, gain, broadcast<V>(1.0f));
-      for (int half = 0; half < 2; ++half) {
-        V* moment = half_[half].data() + moment_index(level, node);
+      for (const Hemisphere hemisphere : {kDown, kUp}) {
+        V* moment = hemisphere_[hemisphere].data() + moment_index(level, node);
         for (int i = 0; i < grid_.moments; ++i) moment[i] *= gain;
       }
-      for (int i = 0; i < kWatched; ++i) watched[i] *= gain;
+      for (int i = 0; i < kMonitored; ++i) monitored[i] *= gain;
     }
   }
+  if (judged) error_left_ = select<V>(active, error, error_left_);
   return active & open;
 }
 
 template <class V>
-void DiffuseField<V>::merge_halves() {
+LaneArray<V> DiffuseField<V>::take_moments() {
   const std::size_t size = count(grid_.sublayers + 1, grid_.moments);
-  for (std::size_t i = 0; i < size; ++i) half_[kDown].data()[i] += half_[kUp].data()[i];
+  for (std::size_t i = 0; i < size; ++i) hemisphere_[kDown].data()[i] += hemisphere_[kUp].data()[i];
+  return static_cast<LaneArray<V>&&>(hemisphere_[kDown]);
 }
 
 }  // namespace skylut::transfer

@@ -10,8 +10,8 @@ namespace skylut::transfer {
 
 DiffuseRay::DiffuseRay(const Discretisation& grid, double observer_km, double view_zenith_deg,
                        LocalSun& local_sun)
-    : azimuth_stride_(local_sun.orders()) {
-  const RayTrace trace(grid.ray_levels, grid.medium.limits.ray_step_km, observer_km,
+    : azimuth_stride_(local_sun.azimuthal_orders()) {
+  const RayTrace trace(grid.ray_levels, grid.common.discretisation.ray_step_km, observer_km,
                        std::cos(view_zenith_deg * kRadiansPerDegree));
   add_pieces(grid, trace.points);
   for (const RayPoint& point : source_at_) {
@@ -19,7 +19,7 @@ DiffuseRay::DiffuseRay(const Discretisation& grid, double observer_km, double vi
       for (const double value : normalised_legendre(m, grid.angles.resolution().max_l, -point.cos_view))
         polar_moment_.push_back(static_cast<float>(value));
     const LocalSun::Point& local = local_sun.at(point);
-    sun_taps_.push_back(local.sun_taps.data());
+    sun_weights_.push_back(local.sun_weights.data());
     azimuth_factor_.push_back(local.azimuth_factor.data());
   }
 }
@@ -34,14 +34,14 @@ void DiffuseRay::add_pieces(const Discretisation& grid, const std::vector<RayPoi
   };
   int sublayer = grid.sublayers.layer_of(points.front().altitude_km);
   for (std::size_t near = 0, far; near + 1 < points.size(); near = far) {
-    for (far = near + 1; far + 1 < points.size() && !grid.asks_field_at(points[far].altitude_km);) ++far;
+    for (far = near + 1; far + 1 < points.size() && !grid.needs_source_at(points[far].altitude_km);) ++far;
     sublayer = grid.sublayers.layer_of(0.5 * (points[near].altitude_km + points[near + 1].altitude_km));
     add_source(sublayer, points[near]);
     const double start_km = points[near].distance_km;
     const double length_km = points[far].distance_km - start_km;
     for (std::size_t i = near; i < far; ++i) {
       const double middle_km = 0.5 * (points[i].altitude_km + points[i + 1].altitude_km);
-      piece_.push_back({grid.medium.layers.layer_of(middle_km),
+      piece_.push_back({grid.common.layers.layer_of(middle_km),
                         static_cast<float>(points[i + 1].distance_km - points[i].distance_km),
                         static_cast<int>(source_.size()) - 1,
                         static_cast<float>((points[i].distance_km - start_km) / length_km),
@@ -53,14 +53,14 @@ void DiffuseRay::add_pieces(const Discretisation& grid, const std::vector<RayPoi
 }
 
 DiffuseRayView DiffuseRay::view() const {
-  return {static_cast<int>(piece_.size()),
-          static_cast<int>(source_.size()),
-          azimuth_stride_,
-          piece_.data(),
-          source_.data(),
-          polar_moment_.data(),
-          sun_taps_.data(),
-          azimuth_factor_.data()};
+  return {.pieces = static_cast<int>(piece_.size()),
+          .sources = static_cast<int>(source_.size()),
+          .azimuth_stride = azimuth_stride_,
+          .piece = piece_.data(),
+          .source = source_.data(),
+          .polar_moment = polar_moment_.data(),
+          .sun_weights = sun_weights_.data(),
+          .azimuth_factor = azimuth_factor_.data()};
 }
 
 }  // namespace skylut::transfer

@@ -49,10 +49,13 @@ std::vector<double> joined_levels(const ShellGeometry& layers, const ShellGeomet
   return levels;
 }
 
+/// Parts of a layer beyond which nobody counts: no machine holds as many, and the work is refused.
+constexpr double kMostParts = 1e8;
+
 std::vector<int> parts_for(const std::vector<double>& depth, double optical_step) {
   std::vector<int> parts;
   for (const double layer_depth : depth)
-    parts.push_back(std::max(1, static_cast<int>(std::ceil(layer_depth / optical_step))));
+    parts.push_back(static_cast<int>(std::clamp(std::ceil(layer_depth / optical_step), 1.0, kMostParts)));
   return parts;
 }
 
@@ -62,8 +65,9 @@ std::vector<int> parts_for(const std::vector<double>& depth, double optical_step
 std::vector<int> common_parts(const Shells& shells, const std::vector<double>& depth,
                               const std::vector<int>& own, double optical_step) {
   const auto sum = [](const std::vector<int>& parts) {
-    return std::accumulate(parts.begin(), parts.end(), 0);
+    return std::accumulate(parts.begin(), parts.end(), 0.0);
   };
+  if (sum(own) >= kMostParts) return own;
   for (double extinction_per_km = 0.05;; extinction_per_km *= 1.5) {
     std::vector<double> model;
     for (std::size_t layer = 0; layer < depth.size(); ++layer) {
@@ -119,29 +123,29 @@ CutOff cut_off(const OpticalColumn& column, int max_l) {
 /// Legendre degrees until delta-M cuts off little but a narrow peak; the rest follows from the degrees. A
 /// Rayleigh sky needs no more than degree 2, although its radiance holds higher ones: they do not enter the
 /// source.
-AngularResolution angles_for(const OpticalColumn& column, const QualityLimits& limits) {
-  constexpr int kMostDegrees = 30;
-  // Diffraction by large particles: PeakSpread restores it around the sun.
+AngularResolution angles_for(const OpticalColumn& column, const DiscretisationOptions& options) {
+  // Diffraction by large particles: ForwardPeakCorrection restores it around the sun.
   constexpr double kNarrow = 0.48;
   AngularResolution angles;
-  for (angles.max_l = 2; angles.max_l < kMostDegrees; angles.max_l += 2) {
+  for (angles.max_l = 2; angles.max_l < kMostLegendreDegree; angles.max_l += 2) {
     const CutOff cut = cut_off(column, angles.max_l);
-    if (cut.wide_part <= limits.truncated_peak) break;
-    if (angles.max_l >= limits.narrow_peak_degrees && cut.wide_part <= kNarrow * cut.peak) break;
+    if (cut.wide_part <= options.truncated_peak) break;
+    if (angles.max_l >= options.narrow_peak_degree && cut.wide_part <= kNarrow * cut.peak) break;
   }
-  angles.max_m = (3 * angles.max_l + 3) / 4;
-  angles.azimuth_nodes = (angles.max_m + 2) / 2 * 2;
-  angles.polar_nodes =
-      std::max(limits.least_polar_nodes, static_cast<int>(std::ceil(limits.polar_per_degree * angles.max_l)));
+  angles.max_m = azimuthal_order_for(angles.max_l);
+  angles.azimuth_nodes = azimuth_nodes_for(angles.max_m);
+  angles.polar_nodes = std::max(options.least_polar_nodes,
+                                static_cast<int>(std::ceil(options.polar_per_degree * angles.max_l)));
   return angles;
 }
 
 }  // namespace
 
-DiscretisationKey discretisation_for(const Medium& medium, const OpticalColumn& column) {
+DiscretisationKey discretisation_for(const LayerMerge& merge, const DiscretisationOptions& options,
+                                     const OpticalColumn& column) {
   DiscretisationKey key;
-  key.angles = angles_for(column, medium.limits);
-  const OpticalColumn merged = medium.merge.column(column);
+  key.angles = angles_for(column, options);
+  const OpticalColumn merged = merge.column(column);
   // Absorption bends the source less than scattering does, and what is absorbed is dark.
   constexpr double kAbsorptionWeight = 0.25;
   std::vector<double> scaled_depth;
@@ -152,14 +156,14 @@ DiscretisationKey discretisation_for(const Medium& medium, const OpticalColumn& 
     for (std::size_t layer = 0; layer < scaled_depth.size(); ++layer)
       scaled_depth[layer] += weight * scatterer.scattering_depth[layer];
   }
-  const double optical_step = medium.limits.optical_step;
+  const double optical_step = options.optical_step;
   const std::vector<int> own = parts_for(scaled_depth, optical_step);
-  key.sublayers = common_parts(medium.merge.shells(), scaled_depth, own, optical_step);
+  key.sublayers = common_parts(merge.shells(), scaled_depth, own, optical_step);
   return key;
 }
 
-BeamGeometry::BeamGeometry(const Medium& medium, const ShellGeometry& sublayers) {
-  const ShellGeometry& layers = medium.layers;
+BeamGeometry::BeamGeometry(const CommonGrid& common, const ShellGeometry& sublayers) {
+  const ShellGeometry& layers = common.layers;
   std::vector<double> altitude_km = sublayers.levels_km();
   for (int sublayer = 0; sublayer < sublayers.layers(); ++sublayer) {
     first_piece_.push_back(static_cast<int>(piece_layer_.size()));
@@ -175,20 +179,20 @@ BeamGeometry::BeamGeometry(const Medium& medium, const ShellGeometry& sublayers)
   }
   first_piece_.push_back(static_cast<int>(piece_layer_.size()));
   for (const double altitude : altitude_km)
-    for (const double sun_deg : medium.sun_nodes_deg)
-      taps_.push_back(medium.sun_depth.taps_towards(altitude, std::cos(sun_deg * kRadiansPerDegree)));
+    for (const double sun_deg : common.sun_nodes_deg)
+      weights_.push_back(common.slant_depth.weights_towards(altitude, std::cos(sun_deg * kRadiansPerDegree)));
 }
 
-Discretisation::Discretisation(const Medium& medium_, const DiscretisationKey& key)
-    : medium(medium_),
-      sublayers(split_levels(medium.merge.shells(), key.sublayers), medium.shells.planet_radius_km),
-      ray_levels(joined_levels(medium.layers, sublayers), medium.shells.planet_radius_km),
-      layer_of_sublayer(layers_of(medium.merge.shells(), sublayers)),
+Discretisation::Discretisation(const CommonGrid& common_, const DiscretisationKey& key)
+    : common(common_),
+      sublayers(split_levels(common.merge.shells(), key.sublayers), common.shells.planet_radius_km),
+      ray_levels(joined_levels(common.layers, sublayers), common.shells.planet_radius_km),
+      layer_of_sublayer(layers_of(common.merge.shells(), sublayers)),
       angles(key.angles),
-      stencil(sublayers, angles, medium.sun_nodes_deg),
-      beam(medium, sublayers) {}
+      stencil(sublayers, angles, common.sun_nodes_deg),
+      beam(common, sublayers) {}
 
-bool Discretisation::asks_field_at(double altitude_km) const {
+bool Discretisation::needs_source_at(double altitude_km) const {
   const auto holds = [&](const ShellGeometry& shells) {
     return std::binary_search(shells.levels_km().begin(), shells.levels_km().end(), altitude_km);
   };

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "angular_grid.hpp"
+#include "common_grid.hpp"
 #include "interpolation.hpp"
-#include "medium.hpp"
 #include "shell_geometry.hpp"
 #include "sweep_stencil.hpp"
 
@@ -22,23 +22,25 @@ struct DiscretisationKey {
 
 /// Chooses the discretisation of a column: layers split until each part's scaled optical depth is below
 /// the quality's step, angles fine enough for its phase functions. [docs/validation.md, "Convergence"]
-DiscretisationKey discretisation_for(const Medium& medium, const OpticalColumn& column);
+/// @param merge  the layers of the sweep
+DiscretisationKey discretisation_for(const LayerMerge& merge, const DiscretisationOptions& options,
+                                     const OpticalColumn& column);
 
 /// The sunbeam at every point where the sweep needs it, under every sun node: at the levels, and in the
 /// middle of every piece of a sublayer that lies in one layer of the medium (a sublayer of merged layers has
 /// several).
 class BeamGeometry {
  public:
-  BeamGeometry(const Medium& medium, const ShellGeometry& sublayers);
+  BeamGeometry(const CommonGrid& common, const ShellGeometry& sublayers);
 
   /// [point][sun node]; points: first the levels of the sublayers, then the pieces from the ground up.
-  const std::vector<SunDepthTaps>& taps() const { return taps_; }
+  const std::vector<SlantDepthWeights>& weights() const { return weights_; }
   const std::vector<int>& first_piece() const { return first_piece_; }  ///< per sublayer, one past the last
   const std::vector<int>& piece_layer() const { return piece_layer_; }
   const std::vector<float>& piece_thickness_km() const { return piece_thickness_km_; }
 
  private:
-  std::vector<SunDepthTaps> taps_;
+  std::vector<SlantDepthWeights> weights_;
   std::vector<int> first_piece_;
   std::vector<int> piece_layer_;
   std::vector<float> piece_thickness_km_;
@@ -47,14 +49,14 @@ class BeamGeometry {
 /// All geometry that the columns with one key share.
 struct Discretisation {
   /// @param medium  must outlive the discretisation
-  Discretisation(const Medium& medium, const DiscretisationKey& key);
+  Discretisation(const CommonGrid& common, const DiscretisationKey& key);
 
   /// Whether a line of sight asks the diffuse field at an altitude where it stops: at the boundaries of
   /// sublayers and between levels (steps of a long ray), but not at the boundaries that are the medium's
   /// alone, across which the field's moments are linear.
-  bool asks_field_at(double altitude_km) const;
+  bool needs_source_at(double altitude_km) const;
 
-  const Medium& medium;
+  const CommonGrid& common;
   ShellGeometry sublayers;             ///< merged layers, split for the sweep
   ShellGeometry ray_levels;            ///< boundaries of the medium's layers and of the sublayers
   std::vector<int> layer_of_sublayer;  ///< merged layer

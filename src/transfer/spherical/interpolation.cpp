@@ -32,23 +32,23 @@ CubicInterpolation::CubicInterpolation(const std::vector<double>& nodes)
   }
 }
 
-Taps CubicInterpolation::operator()(double x) const {
+InterpolationWeights CubicInterpolation::operator()(double x) const {
   x = std::clamp(x, lowest_, highest_);
   auto below =
       static_cast<std::size_t>(node_below_[static_cast<std::size_t>((x - lowest_) * cells_per_unit_)]);
   while (below + 1 < nodes_.size() && nodes_[below + 1] <= x) ++below;
-  Taps taps;
-  taps.first = std::clamp(static_cast<int>(below) - 1, 0, static_cast<int>(stencil_.size()) - 1);
-  const Stencil& stencil = stencil_[static_cast<std::size_t>(taps.first)];
+  InterpolationWeights weights;
+  weights.first = std::clamp(static_cast<int>(below) - 1, 0, static_cast<int>(stencil_.size()) - 1);
+  const Stencil& stencil = stencil_[static_cast<std::size_t>(weights.first)];
   const double d[4] = {x - stencil.node[0], x - stencil.node[1], x - stencil.node[2], x - stencil.node[3]};
   const double* scale = stencil.inverse_denominator;
   const double outer = d[0] * d[3];
   const double inner = d[1] * d[2];
-  taps.weight[0] = static_cast<float>(inner * d[3] * scale[0]);
-  taps.weight[1] = static_cast<float>(outer * d[2] * scale[1]);
-  taps.weight[2] = static_cast<float>(outer * d[1] * scale[2]);
-  taps.weight[3] = static_cast<float>(inner * d[0] * scale[3]);
-  return taps;
+  weights.weight[0] = static_cast<float>(inner * d[3] * scale[0]);
+  weights.weight[1] = static_cast<float>(outer * d[2] * scale[1]);
+  weights.weight[2] = static_cast<float>(outer * d[1] * scale[2]);
+  weights.weight[3] = static_cast<float>(inner * d[0] * scale[3]);
+  return weights;
 }
 
 }  // namespace skylut::transfer

@@ -6,7 +6,7 @@
 namespace skylut::transfer {
 
 /// Four neighbouring nodes and their weights: f(x) ≈ Σ weight[i] f(node[first + i]).
-struct Taps {
+struct InterpolationWeights {
   std::int32_t first = 0;
   float weight[4] = {};
 };
@@ -17,7 +17,7 @@ class CubicInterpolation {
   explicit CubicInterpolation(const std::vector<double>& nodes);
 
   /// Outside the nodes x is taken at the nearest one.
-  Taps operator()(double x) const;
+  InterpolationWeights operator()(double x) const;
 
  private:
   struct Stencil {

@@ -12,52 +12,54 @@ namespace skylut::transfer {
 // compiled for several instruction sets, so they may call no inline function that the rest of the
 // program shares: hence pointers and counts instead of containers.
 
-/// Interpolation of the optical depth between a point and the sun: see SunDepthGrid.
-struct SunDepthTaps {
-  std::int32_t rising = 0;  ///< first of four entries of the table of rising sunbeams; kShadow: no sun here
-  std::int32_t half =
-      -1;  ///< first of four entries of the table of half-lines; -1: the sunbeam comes from above
+/// Interpolation of the optical depth between a point and the sun: see SlantDepthGrid.
+struct SlantDepthWeights {
+  /// First of four entries of the table of sunbeams that rise from a level; kShadow: no sun here.
+  std::int32_t from_level = 0;
+  /// First of four entries of the table of half-lines from their lowest point; -1: the sunbeam comes from
+  /// above.
+  std::int32_t from_perigee = -1;
   std::int32_t layer = 0;    ///< of the medium, that holds the point
   float to_level_km = 0.0f;  ///< way from the point, upwards along the sunbeam's line, to the next level
-  float rising_weight[4] = {};
-  float half_weight[4] = {};
+  float from_level_weight[4] = {};
+  float from_perigee_weight[4] = {};
 };
 inline constexpr std::int32_t kShadow = -1;
 
 /// Where the depth towards the sun is tabulated, and the paths through the layers from there.
-struct SunDepthView {
+struct SlantDepthView {
   int layers;  ///< of the medium
-  int rising_points;
-  int half_points;
-  const float* rising_path_km;  ///< [point][layer]
-  const float* half_path_km;    ///< [point][layer]
+  int level_points;
+  int perigee_points;
+  const float* from_level_path_km;    ///< [point][layer]
+  const float* from_perigee_path_km;  ///< [point][layer]
 };
 
 struct SweepView {
-  SunDepthView sun_depth;
+  SlantDepthView slant_depth;
   int sublayers;  ///< of the sweep; levels = sublayers + 1
   int sun_nodes;
   int polar_nodes;
   int azimuth_nodes;
   int azimuthal_orders;
   int moments;
-  int degrees;  ///< max_l + 1
+  int legendre_terms;  ///< max_l + 1
   int chord_nodes;
 
-  const int* layer_of_sublayer;         ///< merged layer
-  const int* moment_offset;             ///< [m], of (m, m)
-  const int* moment_degree;             ///< [moment]: its l
-  const float* polar_synthesis[2][32];  ///< [hemisphere][m], panels
-  const float* polar_analysis[2][32];
+  const int* layer_of_sublayer;            ///< merged layer
+  const int* moment_offset;                ///< [m], of (m, m)
+  const int* moment_degree;                ///< [moment]: its l
+  const float* const* polar_synthesis[2];  ///< [hemisphere] → [m], panels
+  const float* const* polar_analysis[2];
   const float* azimuth_synthesis[2];  ///< [parity of m], panels
   const float* azimuth_analysis[2];
-  const float* flux_weight;        ///< [polar][azimuth]: irradiance = Σ weight I
-  const float* beam_moment;        ///< [sun node][moment]: Λ_lm(-μs)/4π
-  const float* sun_cosine;         ///< [sun node]
-  const PolarStep* polar_step[2];  ///< [hemisphere][sublayer][polar]
-  const Taps* sun_taps[2];         ///< [hemisphere][sublayer][sun node][polar][azimuth]
-  const SunDepthTaps* beam_taps;   ///< [point][sun node]: see BeamGeometry
-  const int* first_piece;          ///< [sublayer], one past the last
+  const float* flux_weight;                    ///< [polar][azimuth]: irradiance = Σ weight I
+  const float* beam_moment;                    ///< [sun node][moment]: Λ_lm(-μs)/4π
+  const float* sun_cosine;                     ///< [sun node]
+  const PolarStep* polar_step[2];              ///< [hemisphere][sublayer][polar]
+  const InterpolationWeights* sun_weights[2];  ///< [hemisphere][sublayer][sun node][polar][azimuth]
+  const SlantDepthWeights* beam_weights;       ///< [point][sun node]: see BeamGeometry
+  const int* first_piece;                      ///< [sublayer], one past the last
   const int* piece_layer;
   const float* piece_thickness_km;
 };
@@ -79,12 +81,24 @@ struct OpticsView {
 };
 
 struct IterationLimits {
-  int orders;  ///< 0: until converged
+  int scattering_orders;  ///< 0: until converged
   int max_iterations;
   float tolerance;  ///< relative error of the mean diffuse radiance left by the orders not summed
+  /// Asked before every iteration with `token`: whether to stop. (A plain pointer, so that the kernels share
+  /// no inline function with the program.)
+  bool (*cancelled)(const void* token);
+  const void* token;
 };
 
-/// One segment of a line of sight within one layer of the medium.
+/// How the iteration of one block ended.
+struct IterationReport {
+  enum End { kConverged, kNotConverged, kCancelled };
+  End end = kNotConverged;
+  int iterations = 0;
+  float error_left = 0.0f;  ///< the largest of the lanes' and sun nodes' own estimates at the end [I2]
+};
+
+/// One segment of a line of sight within one layer of the common.
 struct RaySegment {
   int layer;
   float length_km;
@@ -105,12 +119,12 @@ struct RayView {
   int pairs;
   bool hits_ground;
   const RaySegment* segment;
-  const LitPart* lit;           ///< of the first segment, then of the next
-  const int* first_lit;         ///< [segment], with one past the last
-  const int* aureole;           ///< [pair]: its place in the phase functions' peaks; -1: too far from the sun
-  const SunDepthTaps* lit_end;  ///< ends of the lit parts
-  const SunDepthTaps* ground_sun;  ///< [pair], where the ray ends on the ground
-  const float* ground_sun_cosine;  ///< [pair]
+  const LitPart* lit;    ///< of the first segment, then of the next
+  const int* first_lit;  ///< [segment], with one past the last
+  const int* aureole;    ///< [pair]: its place in the phase functions' peaks; -1: too far from the sun
+  const SlantDepthWeights* lit_end;     ///< ends of the lit parts
+  const SlantDepthWeights* ground_sun;  ///< [pair], where the ray ends on the ground
+  const float* ground_sun_cosine;       ///< [pair]
 };
 
 /// Point of a line of sight where the diffuse field is asked.
@@ -135,9 +149,9 @@ struct DiffuseRayView {
   int sources;
   int azimuth_stride;
   const SourcePiece* piece;
-  const SourcePoint* source;           ///< the last one is the ray's end
-  const float* polar_moment;           ///< [source][moment]: Λ_lm(μ) of the light there
-  const Taps* const* sun_taps;         ///< [source] → [pair], among the sun nodes
+  const SourcePoint* source;                       ///< the last one is the ray's end
+  const float* polar_moment;                       ///< [source][moment]: Λ_lm(μ) of the light there
+  const InterpolationWeights* const* sun_weights;  ///< [source] → [pair], among the sun nodes
   const float* const* azimuth_factor;  ///< [source] → [pair][m], azimuth_stride apart: (2-δ_m0) cos mφ
 };
 
@@ -146,28 +160,30 @@ class SolvedBlock {
  public:
   virtual ~SolvedBlock() = default;
   /// @param phase     exact phase functions at the pairs' scattering angles, [pair][scatterer][lane]
-  /// @param peaks     PeakSpread's coefficients, [aureole][first, second][scatterer][lane]
+  /// @param peaks     ForwardPeakCorrection's coefficients, [aureole][first, second][scatterer][lane]
   /// @param radiance  sr⁻¹, [pair][lane]
   virtual void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
                              const float* peaks, float* radiance) const = 0;
 };
 
 /// Solves the diffuse field of one block; the views must outlive the result. The caller owns it.
-/// @return null if the orders of scattering did not converge
-using SolveBlock = SolvedBlock* (*)(const SweepView&, const OpticsView&, const IterationLimits&);
+/// @return null unless the orders of scattering converged
+using SolveBlock = SolvedBlock* (*)(const SweepView&, const OpticsView&, const IterationLimits&,
+                                    IterationReport&);
 
 /// One build of the solver: how many lanes it works on at once.
 struct Kernel {
-  const char* instruction_set;
+  const char* name;
   int lanes;
   SolveBlock solve_block;
 };
 
-SolvedBlock* solve_block_sse2(const SweepView&, const OpticsView&, const IterationLimits&);
-SolvedBlock* solve_block_avx2(const SweepView&, const OpticsView&, const IterationLimits&);
-SolvedBlock* solve_block_avx512(const SweepView&, const OpticsView&, const IterationLimits&);
-
-/// The widest build that this machine can run; SKYLUT_SIMD=sse2|avx2|avx512 chooses a narrower one.
-const Kernel& best_kernel();
+SolvedBlock* solve_block_reference(const SweepView&, const OpticsView&, const IterationLimits&,
+                                   IterationReport&);
+SolvedBlock* solve_block_portable(const SweepView&, const OpticsView&, const IterationLimits&,
+                                  IterationReport&);
+SolvedBlock* solve_block_avx2(const SweepView&, const OpticsView&, const IterationLimits&, IterationReport&);
+SolvedBlock* solve_block_avx512(const SweepView&, const OpticsView&, const IterationLimits&,
+                                IterationReport&);
 
 }  // namespace skylut::transfer

@@ -36,11 +36,4 @@ class LaneArray {
   std::size_t size_;
 };
 
-template <class V>
-inline V load(const float* from) {
-  V value;
-  __builtin_memcpy(&value, from, sizeof(V));
-  return value;
-}
-
 }  // namespace skylut::transfer

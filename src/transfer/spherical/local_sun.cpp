@@ -8,8 +8,8 @@
 namespace skylut::transfer {
 
 LocalSun::LocalSun(double planet_radius_km, const RayPoint& start, std::span<const SunAzimuth> pairs,
-                   const CubicInterpolation& suns, int orders)
-    : planet_km_(planet_radius_km), suns_(&suns), orders_(orders) {
+                   const CubicInterpolation& suns, int azimuthal_orders)
+    : planet_km_(planet_radius_km), suns_(&suns), azimuthal_orders_(azimuthal_orders) {
   const double sin_view = std::sqrt(std::max(0.0, 1.0 - start.cos_view * start.cos_view));
   for (const SunAzimuth& pair : pairs) {
     const double sun = pair.sun_zenith_deg * kRadiansPerDegree;
@@ -27,26 +27,26 @@ const LocalSun::Point& LocalSun::at(const RayPoint& point) {
 
 LocalSun::Point LocalSun::locate(const RayPoint& point) const {
   Point local;
-  local.sun_taps.reserve(pairs_.size());
-  local.azimuth_factor.resize(pairs_.size() * static_cast<std::size_t>(orders_));
+  local.sun_weights.reserve(pairs_.size());
+  local.azimuth_factor.resize(pairs_.size() * static_cast<std::size_t>(azimuthal_orders_));
   float* factor = local.azimuth_factor.data();
   const double inverse_radius = 1.0 / (planet_km_ + point.altitude_km);
   const double local_sin_view = std::sqrt(std::max(0.0, 1.0 - point.cos_view * point.cos_view));
   for (const AtStart& pair : pairs_) {
     const double cos_sun =
-        std::clamp((pair.sun_height_km + point.distance_km * pair.view_to_sun) * inverse_radius, -1.0, 1.0);
-    local.sun_taps.push_back((*suns_)(std::acos(cos_sun) * kDegreesPerRadian));
+        std::clamp((pair.along_sun_km + point.distance_km * pair.cos_scattering) * inverse_radius, -1.0, 1.0);
+    local.sun_weights.push_back((*suns_)(std::acos(cos_sun) * kDegreesPerRadian));
 
     // Azimuth of the light (it travels against the view) from that of the sunbeam, which equals the
     // azimuth of the view from that of the sun.
     const double sines = std::sqrt(1.0 - cos_sun * cos_sun) * local_sin_view;
-    const double cosine = sines > 1e-12
-                              ? std::clamp((pair.view_to_sun - cos_sun * point.cos_view) / sines, -1.0, 1.0)
-                              : pair.cos_azimuth;
+    const double cosine =
+        sines > 1e-12 ? std::clamp((pair.cos_scattering - cos_sun * point.cos_view) / sines, -1.0, 1.0)
+                      : pair.cos_azimuth;
     double previous = 1.0;
     double current = cosine;
     *factor++ = 1.0f;
-    for (int m = 1; m < orders_; ++m) {
+    for (int m = 1; m < azimuthal_orders_; ++m) {
       *factor++ = static_cast<float>(2.0 * current);
       const double next = 2.0 * cosine * current - previous;  // cos((m+1)φ)
       previous = current;

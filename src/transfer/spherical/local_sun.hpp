@@ -21,30 +21,30 @@ struct SunAzimuth {
 class LocalSun {
  public:
   /// @param suns    interpolation among the sun nodes, by zenith angle in degrees; must outlive this object
-  /// @param orders  azimuthal orders wanted, at least 2
+  /// @param azimuthal_orders  wanted, at least 2
   LocalSun(double planet_radius_km, const RayPoint& start, std::span<const SunAzimuth> pairs,
-           const CubicInterpolation& suns, int orders);
+           const CubicInterpolation& suns, int azimuthal_orders);
 
   struct Point {
-    std::vector<Taps> sun_taps;         ///< [pair]
-    std::vector<float> azimuth_factor;  ///< [pair][m]: (2-δ_m0) cos mφ
+    std::vector<InterpolationWeights> sun_weights;  ///< [pair]
+    std::vector<float> azimuth_factor;              ///< [pair][m]: (2-δ_m0) cos mφ
   };
   /// References stay valid.
   const Point& at(const RayPoint& point);
 
-  int orders() const { return orders_; }
+  int azimuthal_orders() const { return azimuthal_orders_; }
 
  private:
   struct AtStart {
-    double sun_height_km;
-    double view_to_sun;
+    double along_sun_km;
+    double cos_scattering;
     double cos_azimuth;
   };
   Point locate(const RayPoint& point) const;
 
   double planet_km_;
   const CubicInterpolation* suns_;
-  int orders_;
+  int azimuthal_orders_;
   std::vector<AtStart> pairs_;
   std::map<double, Point> known_;  // by distance from the observer
 };

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "block_optics.hpp"
+#include "common_grid.hpp"
 #include "kernel_problem.hpp"
 #include "local_sun.hpp"
-#include "medium.hpp"
 #include "ray_trace.hpp"
 
 namespace skylut::transfer {
@@ -15,7 +15,7 @@ namespace skylut::transfer {
 /// reaches: all that single scattering asks for, the same for all columns. [theory.md §4.6, G9-G13]
 class RayGeometry {
  public:
-  RayGeometry(const Medium& medium, double observer_km, double view_zenith_deg,
+  RayGeometry(const CommonGrid& common, double observer_km, double view_zenith_deg,
               std::span<const SunAzimuth> pairs);
 
   int segments() const { return static_cast<int>(segment_.size()); }
@@ -37,8 +37,8 @@ class RayGeometry {
   std::vector<RaySegment> segment_;
   std::vector<LitPart> lit_;
   std::vector<int> first_lit_;
-  std::vector<SunDepthTaps> lit_end_;
-  std::vector<SunDepthTaps> ground_sun_;
+  std::vector<SlantDepthWeights> lit_end_;
+  std::vector<SlantDepthWeights> ground_sun_;
   std::vector<float> ground_sun_cosine_;
   std::vector<double> cos_scattering_;
   std::vector<int> aureole_;

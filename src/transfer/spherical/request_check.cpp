@@ -2,15 +2,24 @@
 
 #include <cmath>
 
-#include "skylut/core/errors.hpp"
+#include "angular_grid.hpp"
+#include "skylut/core/domain.hpp"
 
 namespace skylut::transfer {
 
 namespace {
 
-constexpr double kLargestSunZenith_deg = 96.0;
-constexpr std::size_t kMostLevels = 250;  // of depth_to_sun in line_of_sight.hpp
-constexpr double kSmallestPlanet_km = 100.0;
+/// Delta-M asks for moments up to here; beyond they only have to be there.
+constexpr int kCheckedMoments = (4 * (kMostLegendreDegree + 1) + 2) / 3;
+
+void check_phase_function(const Scatterer& scatterer) {
+  if (!scatterer.phase) throw InputError("scatterer: must have a phase function");
+  for (int l = 0; l <= kCheckedMoments; ++l)
+    if (const double moment = scatterer.phase->moment(l); !(std::abs(moment) <= 1.0 + 1e-6))
+      throw InputError("Legendre moment {} of a phase function, {}: must lie within -1 to 1", l, moment);
+}
+
+}  // namespace
 
 void check_column(const OpticalColumn& column, std::size_t layers) {
   if (column.extinction_depth.size() != layers)
@@ -18,10 +27,12 @@ void check_column(const OpticalColumn& column, std::size_t layers) {
                      layers);
   if (!(column.ground_albedo >= 0.0 && column.ground_albedo <= 1.0))
     throw InputError("ground albedo {}: must lie within 0-1", column.ground_albedo);
-  for (const Scatterer& scatterer : column.scatterers)
+  for (const Scatterer& scatterer : column.scatterers) {
+    check_phase_function(scatterer);
     if (scatterer.scattering_depth.size() != layers)
       throw InputError("scatterer with {} layers: the levels give {}", scatterer.scattering_depth.size(),
                        layers);
+  }
   for (std::size_t layer = 0; layer < layers; ++layer) {
     double scattering = 0.0;
     for (const Scatterer& scatterer : column.scatterers) {
@@ -36,8 +47,6 @@ void check_column(const OpticalColumn& column, std::size_t layers) {
   }
 }
 
-}  // namespace
-
 void check_shells(const Shells& shells) {
   const std::vector<double>& levels = shells.levels_km;
   if (levels.size() < 2 || levels.front() != 0.0)
@@ -45,23 +54,24 @@ void check_shells(const Shells& shells) {
   for (std::size_t i = 1; i < levels.size(); ++i)
     if (!(levels[i] > levels[i - 1]) || !std::isfinite(levels[i]))
       throw InputError("levels_km: {} after {}, must ascend", levels[i], levels[i - 1]);
-  if (levels.size() > kMostLevels)
-    throw InputError("levels_km: {} levels, at most {}", levels.size(), kMostLevels);
-  if (!(shells.planet_radius_km >= kSmallestPlanet_km && std::isfinite(shells.planet_radius_km)))
-    throw InputError("planet_radius_km {}: must be finite and at least {}", shells.planet_radius_km,
-                     kSmallestPlanet_km);
+  require_within("levels_km", levels.back(), domain::kLevel_km);
+  require_within("planet_radius_km", shells.planet_radius_km, domain::kPlanetRadius_km);
 }
 
-void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request) {
+void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request,
+                   const TransferOptions& options) {
   check_shells(shells);
   for (const OpticalColumn& column : columns) check_column(column, shells.levels_km.size() - 1);
   for (const double altitude : request.observer_altitudes_km)
     if (!(altitude >= 0.0 && altitude <= shells.levels_km.back()))
       throw InputError("observer altitude {} km: must lie within the layers, 0-{} km", altitude,
                        shells.levels_km.back());
-  for (const double sun : request.sun_zeniths_deg)
-    if (!(sun >= 0.0 && sun <= kLargestSunZenith_deg))
-      throw InputError("sun zenith {} deg: must lie within 0-{}", sun, kLargestSunZenith_deg);
+  for (const double sun : request.sun_zeniths_deg) require_within("sun zenith", sun, domain::kSunZenith_deg);
+  check_discretisation(options.discretisation);
+  if (options.scattering_orders < 0)
+    throw InputError("orders {}: must be >= 0 (0: all)", options.scattering_orders);
+  if (!(options.most_memory_bytes >= 0.0))
+    throw InputError("memory limit {} bytes: must be >= 0 (0: by the machine)", options.most_memory_bytes);
   for (const RelativeView& view : request.views)
     if (!(view.zenith_deg >= 0.0 && view.zenith_deg <= 180.0 && view.relative_azimuth_deg >= 0.0 &&
           view.relative_azimuth_deg <= 180.0))

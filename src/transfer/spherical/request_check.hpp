@@ -9,7 +9,12 @@ namespace skylut::transfer {
 /// @throws InputError naming the first level or radius that is out of range
 void check_shells(const Shells& shells);
 
-/// @throws InputError naming the first value of the shells, columns or request that is out of range
-void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request);
+/// @param layers  of the shells
+/// @throws InputError naming the first value of the column that is out of range or no number
+void check_column(const OpticalColumn& column, std::size_t layers);
+
+/// @throws InputError naming the first value of the shells, columns, request or options that is out of range
+void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request,
+                   const TransferOptions& options);
 
 }  // namespace skylut::transfer

@@ -22,18 +22,18 @@ int pieces_of(double near_perigee_km, double far_perigee_km, double least_drop_k
 
 }  // namespace
 
-SunlitRay::SunlitRay(const SunDepthGrid& sun_depth, double planet_radius_km, const RayPoint& start,
+SunlitRay::SunlitRay(const SlantDepthGrid& slant_depth, double planet_radius_km, const RayPoint& start,
                      double sun_zenith_rad, double relative_azimuth_rad)
-    : sun_depth_(&sun_depth),
+    : slant_depth_(&slant_depth),
       planet_km_(planet_radius_km),
       start_km_(start.altitude_km),
       radius_km_(planet_radius_km + start.altitude_km),
       cos_view_(start.cos_view),
       cos_sun_(std::cos(sun_zenith_rad)),
-      view_to_sun_(cos_view_ * cos_sun_ + std::sqrt(std::max(0.0, 1.0 - cos_view_ * cos_view_)) *
-                                              std::sin(sun_zenith_rad) * std::cos(relative_azimuth_rad)),
-      quadratic_(1.0 - view_to_sun_ * view_to_sun_),
-      linear_(radius_km_ * (cos_view_ - cos_sun_ * view_to_sun_)),
+      cos_scattering_(cos_view_ * cos_sun_ + std::sqrt(std::max(0.0, 1.0 - cos_view_ * cos_view_)) *
+                                                 std::sin(sun_zenith_rad) * std::cos(relative_azimuth_rad)),
+      quadratic_(1.0 - cos_scattering_ * cos_scattering_),
+      linear_(radius_km_ * (cos_view_ - cos_sun_ * cos_scattering_)),
       constant_(start_km_ * (2.0 * planet_km_ + start_km_) - radius_km_ * radius_km_ * cos_sun_ * cos_sun_) {}
 
 double SunlitRay::altitude_km(double distance_km) const {
@@ -44,18 +44,18 @@ double SunlitRay::altitude_km(double distance_km) const {
 
 void SunlitRay::append_parts(const std::vector<RayPoint>& points, double sunbeam_step_km, int pair,
                              std::vector<std::vector<LitPart>>& parts,
-                             std::vector<SunDepthTaps>& ends) const {
+                             std::vector<SlantDepthWeights>& ends) const {
   std::vector<double> edges;  // of the shadow, where the ray crosses its cylinder behind the planet
   const double discriminant = linear_ * linear_ - quadratic_ * constant_;
   if (quadratic_ > 1e-14 && discriminant > 0.0)
     for (const double root : {-std::sqrt(discriminant), std::sqrt(discriminant)})
-      if (const double edge = (root - linear_) / quadratic_; sun_height(edge) < 0.0) edges.push_back(edge);
+      if (const double edge = (root - linear_) / quadratic_; along_sun_km(edge) < 0.0) edges.push_back(edge);
 
   const auto perigee_of = [&](const RayPoint& point) {
-    return sun_depth_->perigee_km(point.altitude_km, sun_height(point.distance_km));
+    return slant_depth_->perigee_km(point.altitude_km, along_sun_km(point.distance_km));
   };
   const auto add_end = [&](const RayPoint& point) {
-    ends.push_back(sun_depth_->taps(point.altitude_km, sun_height(point.distance_km)));
+    ends.push_back(slant_depth_->weights(point.altitude_km, along_sun_km(point.distance_km)));
   };
   bool continues = false;
   const auto append = [&](std::size_t segment, const RayPoint& segment_start, const RayPoint& near,
@@ -65,7 +65,7 @@ void SunlitRay::append_parts(const std::vector<RayPoint>& points, double sunbeam
       return;
     }
     if (!continues) add_end(near);
-    const bool from_above = sun_height(near.distance_km) >= 0.0 && sun_height(far.distance_km) >= 0.0;
+    const bool from_above = along_sun_km(near.distance_km) >= 0.0 && along_sun_km(far.distance_km) >= 0.0;
     const double near_perigee = perigee_of(near);
     const double far_perigee = perigee_of(far);
     const double least_drop = std::min(near.altitude_km - near_perigee, far.altitude_km - far_perigee);

@@ -51,32 +51,33 @@ SweepStencil::SweepStencil(const ShellGeometry& shells, const AngularGrid& angle
   const CubicInterpolation among_polar(root);
   const CubicInterpolation among_suns(sun_nodes_deg);
 
-  for (const Hemisphere half : {kDown, kUp}) {
-    polar_[half].reserve(static_cast<std::size_t>(shells.layers() * polar_nodes_));
-    sun_[half].resize(static_cast<std::size_t>(shells.layers() * sun_nodes_) * directions_);
+  for (const Hemisphere hemisphere : {kDown, kUp}) {
+    polar_[hemisphere].reserve(static_cast<std::size_t>(shells.layers() * polar_nodes_));
+    sun_[hemisphere].resize(static_cast<std::size_t>(shells.layers() * sun_nodes_) * directions_);
     for (int layer = 0; layer < shells.layers(); ++layer) {
       for (int j = 0; j < polar_nodes_; ++j) {
         const double alpha = angles.cos_polar()[static_cast<std::size_t>(j)];
         const Crossing ray =
-            half == kDown ? crossing_down(shells, layer, alpha) : crossing_up(shells, layer, alpha);
+            hemisphere == kDown ? crossing_down(shells, layer, alpha) : crossing_up(shells, layer, alpha);
         if (ray.chord) chord_nodes_ = std::max(chord_nodes_, j + 1);
-        polar_[half].push_back(
+        polar_[hemisphere].push_back(
             {static_cast<float>(ray.length_km), ray.chord, among_polar(std::sqrt(ray.start_cosine))});
 
-        const double mu = half == kDown ? -alpha : alpha;
+        const double mu = hemisphere == kDown ? -alpha : alpha;
         const double sine = std::sqrt(1.0 - mu * mu);
-        const double end_km = shells.level_km(half == kDown ? layer : layer + 1);
+        const double end_km = shells.level_km(hemisphere == kDown ? layer : layer + 1);
         const double end_radius = shells.planet_radius_km() + end_km;
         const double start_radius = shells.planet_radius_km() + ray.start_km;
         for (int node = 0; node < sun_nodes_; ++node) {
           const double sun = sun_nodes_deg[static_cast<std::size_t>(node)] * kRadiansPerDegree;
-          Taps* taps = sun_[half].data() + static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_ +
-                       j * angles.azimuth_nodes();
+          InterpolationWeights* weights = sun_[hemisphere].data() +
+                                          static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_ +
+                                          j * angles.azimuth_nodes();
           for (const double azimuth : angles.azimuth_rad()) {
             const double towards_sun = mu * std::cos(sun) - sine * std::cos(azimuth) * std::sin(sun);
             const double cosine = (end_radius * std::cos(sun) - ray.length_km * towards_sun) / start_radius;
             const double start_sun_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian;
-            *taps++ = among_suns(start_sun_deg);
+            *weights++ = among_suns(start_sun_deg);
           }
         }
       }

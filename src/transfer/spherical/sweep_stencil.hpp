@@ -10,9 +10,9 @@ namespace skylut::transfer {
 
 /// Where the light of one polar node comes from when it has crossed one sublayer.
 struct PolarStep {
-  float length_km;  ///< of the straight ray through the sublayer
-  bool chord;       ///< the ray entered through the upper boundary that it also leaves by
-  Taps upwind;      ///< among the polar nodes of the same hemisphere; unused for a chord
+  float length_km;              ///< of the straight ray through the sublayer
+  bool chord;                   ///< the ray entered through the upper boundary that it also leaves by
+  InterpolationWeights upwind;  ///< among the polar nodes of the same hemisphere; unused for a chord
 };
 
 /// Short characteristics through every sublayer: for each direction of the sweep, the length of the ray
@@ -26,12 +26,12 @@ class SweepStencil {
                const std::vector<double>& sun_nodes_deg);
 
   /// Polar node j of a ray that leaves sublayer `layer` downwards (through its lower boundary) or upwards.
-  const PolarStep& polar(Hemisphere half, int layer, int j) const {
-    return polar_[half][static_cast<std::size_t>(layer * polar_nodes_ + j)];
+  const PolarStep& polar(Hemisphere hemisphere, int layer, int j) const {
+    return polar_[hemisphere][static_cast<std::size_t>(layer * polar_nodes_ + j)];
   }
-  /// Sun taps of all directions [polar][azimuth] of one sublayer and sun node.
-  const Taps* sun(Hemisphere half, int layer, int node) const {
-    return sun_[half].data() + static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_;
+  /// Weights among the sun nodes for all directions [polar][azimuth] of one sublayer and sun node.
+  const InterpolationWeights* sun(Hemisphere hemisphere, int layer, int node) const {
+    return sun_[hemisphere].data() + static_cast<std::size_t>(layer * sun_nodes_ + node) * directions_;
   }
   /// Number of polar nodes, from the horizon up, that are chords of some sublayer.
   int chord_nodes() const { return chord_nodes_; }
@@ -42,7 +42,7 @@ class SweepStencil {
   std::size_t directions_;
   int chord_nodes_ = 0;
   std::vector<PolarStep> polar_[2];
-  std::vector<Taps> sun_[2];
+  std::vector<InterpolationWeights> sun_[2];
 };
 
 }  // namespace skylut::transfer

@@ -10,7 +10,7 @@ namespace skylut::transfer {
 SweepTables::SweepTables(const Discretisation& grid) {
   const AngularGrid& angles = grid.angles;
   const SweepStencil& stencil = grid.stencil;
-  const int nodes = static_cast<int>(grid.medium.sun_nodes_deg.size());
+  const int nodes = static_cast<int>(grid.common.sun_nodes_deg.size());
   for (int m = 0; m < angles.azimuthal_orders(); ++m) {
     moment_offset_.push_back(angles.moment_offset(m));
     for (int l = m; l <= angles.resolution().max_l; ++l) moment_degree_.push_back(l);
@@ -23,7 +23,7 @@ SweepTables::SweepTables(const Discretisation& grid) {
     flux_weight_.insert(flux_weight_.end(), static_cast<std::size_t>(angles.azimuth_nodes()),
                         static_cast<float>(weight));
   }
-  for (const double node_deg : grid.medium.sun_nodes_deg) {
+  for (const double node_deg : grid.common.sun_nodes_deg) {
     const double cosine = std::cos(node_deg * kRadiansPerDegree);
     sun_cosine_.push_back(static_cast<float>(cosine));
     for (int m = 0; m < angles.azimuthal_orders(); ++m)
@@ -31,25 +31,27 @@ SweepTables::SweepTables(const Discretisation& grid) {
         beam_moment_.push_back(static_cast<float>(value / (4.0 * kPi)));
   }
 
-  view_.sun_depth = grid.medium.sun_depth.view();
+  view_.slant_depth = grid.common.slant_depth.view();
   view_.sublayers = grid.sublayers.layers();
   view_.sun_nodes = nodes;
   view_.polar_nodes = angles.polar_nodes();
   view_.azimuth_nodes = angles.azimuth_nodes();
   view_.azimuthal_orders = angles.azimuthal_orders();
   view_.moments = angles.moments();
-  view_.degrees = angles.resolution().max_l + 1;
+  view_.legendre_terms = angles.resolution().max_l + 1;
   view_.chord_nodes = stencil.chord_nodes();
   view_.layer_of_sublayer = grid.layer_of_sublayer.data();
   view_.moment_offset = moment_offset_.data();
   view_.moment_degree = moment_degree_.data();
-  for (const Hemisphere half : {kDown, kUp}) {
+  for (const Hemisphere hemisphere : {kDown, kUp}) {
     for (int m = 0; m < angles.azimuthal_orders(); ++m) {
-      view_.polar_synthesis[half][m] = angles.polar_synthesis(half, m).data();
-      view_.polar_analysis[half][m] = angles.polar_analysis(half, m).data();
+      polar_synthesis_[hemisphere].push_back(angles.polar_synthesis(hemisphere, m).data());
+      polar_analysis_[hemisphere].push_back(angles.polar_analysis(hemisphere, m).data());
     }
-    view_.polar_step[half] = &stencil.polar(half, 0, 0);
-    view_.sun_taps[half] = stencil.sun(half, 0, 0);
+    view_.polar_synthesis[hemisphere] = polar_synthesis_[hemisphere].data();
+    view_.polar_analysis[hemisphere] = polar_analysis_[hemisphere].data();
+    view_.polar_step[hemisphere] = &stencil.polar(hemisphere, 0, 0);
+    view_.sun_weights[hemisphere] = stencil.sun(hemisphere, 0, 0);
   }
   for (const int parity : {0, 1}) {
     view_.azimuth_synthesis[parity] = angles.azimuth_synthesis(parity).data();
@@ -58,7 +60,7 @@ SweepTables::SweepTables(const Discretisation& grid) {
   view_.flux_weight = flux_weight_.data();
   view_.beam_moment = beam_moment_.data();
   view_.sun_cosine = sun_cosine_.data();
-  view_.beam_taps = grid.beam.taps().data();
+  view_.beam_weights = grid.beam.weights().data();
   view_.first_piece = grid.beam.first_piece().data();
   view_.piece_layer = grid.beam.piece_layer().data();
   view_.piece_thickness_km = grid.beam.piece_thickness_km().data();

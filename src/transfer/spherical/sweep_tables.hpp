@@ -12,10 +12,14 @@ namespace skylut::transfer {
 class SweepTables {
  public:
   explicit SweepTables(const Discretisation& grid);
+  SweepTables(const SweepTables&) = delete;
+  SweepTables& operator=(const SweepTables&) = delete;
   const SweepView& view() const { return view_; }
 
  private:
   SweepView view_{};
+  std::vector<const float*> polar_synthesis_[2];
+  std::vector<const float*> polar_analysis_[2];
   std::vector<int> moment_offset_;
   std::vector<int> moment_degree_;
   std::vector<float> flux_weight_;

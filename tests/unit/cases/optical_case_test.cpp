@@ -24,11 +24,11 @@ OpticalCaseRequest request() {
 // they add 1e-7 to the phase function, radiances are 32-bit floats.
 TEST(OpticalCase, SolvesToTheSameRadiances) {
   const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), {});
-  const auto solved = solve_case(optical_case(air, request()), "case", {});
+  const auto solved = solve_case(test::context, optical_case(air, request()), "case", {});
   const std::vector<BandColumn> terms = air.band_columns({550.0, 5.0}, 0.3);
   ASSERT_EQ(terms.size(), 1u);
-  const SkyRadiance sky =
-      solve_sky_radiance(air.shells(), {&terms[0].column, 1}, {{1.0}, {60.0}, request().views}, {});
+  const SkyRadiance sky = solve_sky_radiance(test::context, air.shells(), {&terms[0].column, 1},
+                                             {{1.0}, {60.0}, request().views}, {});
   for (std::size_t i = 0; i < request().views.size(); ++i)
     EXPECT_NEAR(solved["results"][i]["radiance"].get<double>() / sky.at(0, 0, 0, i), 1.0, 1e-4) << i;
 }
@@ -58,7 +58,7 @@ TEST(OpticalCase, WithoutAerosolThereAreNoMoments) {
   const auto document =
       optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), clear);
   EXPECT_FALSE(document["layers"][0].contains("phase_moments_aerosol"));
-  EXPECT_NO_THROW(solve_case(document, "case", {}));
+  EXPECT_NO_THROW(solve_case(test::context, document, "case", {}));
 }
 
 TEST(OpticalCase, TermsAreChosenByNumber) {
@@ -79,7 +79,7 @@ TEST(OpticalCase, SolveRefusesBrokenMoments) {
         optical_case(Atmosphere(test::context, load_profile(test::context, "ussa1976"), {}), request());
     spoil(document);
     try {
-      solve_case(document, "case.json", {});
+      solve_case(test::context, document, "case.json", {});
       ADD_FAILURE() << named;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();

@@ -9,6 +9,7 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/json_reader.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -54,7 +55,7 @@ double largest_difference(const Json& ours, const Json& theirs) {
 constexpr double kReferenceError = 2e-5;
 
 void expect_optical_depth_case(const Json& reference, const std::string& name) {
-  const Json ours = solve_case(reference, name, {});
+  const Json ours = solve_case(test::context, reference, name, {});
   EXPECT_LT(largest_difference(ours["outputs"]["radiance"], reference["outputs"]["radiance"]),
             kReferenceError)
       << name;
@@ -63,7 +64,7 @@ void expect_optical_depth_case(const Json& reference, const std::string& name) {
 }
 
 void expect_plane_case(const Json& reference, const std::string& name) {
-  const Json ours = solve_case(reference, name, {});
+  const Json ours = solve_case(test::context, reference, name, {});
   for (std::size_t i = 0; i < reference["results"].size(); ++i) {
     const double expected = reference["results"][i]["radiance"].get<double>();
     EXPECT_NEAR(ours["results"][i]["radiance"].get<double>(), expected, kReferenceError * expected + 1e-9)
@@ -93,7 +94,7 @@ TEST(SolveCase, MonteCarloAgreesWithTheReferenceMonteCarlo) {
   double count = 0.0;
   for (const char* name : {"sph_B_sza60_alt00", "sph_A_alb03_sza88_alt30"}) {
     const Json reference = own_case(name);
-    const Json ours = solve_case(reference, name, options);
+    const Json ours = solve_case(test::context, reference, name, options);
     for (std::size_t i = 0; i < reference["results"].size(); ++i) {
       const Json& a = ours["results"][i];
       const Json& b = reference["results"][i];
@@ -116,7 +117,7 @@ TEST(SolveCase, SharedPlaneReferences) {
 
 TEST(SolveCase, KeepsKeysAndTheirOrder) {
   const Json reference = own_case("pp_C_homogeneous_sza45_toa");
-  const Json ours = solve_case(reference, "case", {});
+  const Json ours = solve_case(test::context, reference, "case", {});
   auto theirs = reference.items().begin();
   for (const auto& [key, value] : ours.items()) {
     EXPECT_EQ(key, theirs.key());
@@ -138,7 +139,7 @@ void expect_refused(const std::string& name, const Refusal& refusal, const Solve
   Json changed = own_case(name);
   refusal.change(changed);
   try {
-    solve_case(changed, "case.json", options);
+    solve_case(test::context, changed, "case.json", options);
     ADD_FAILURE() << refusal.what << " was not refused";
   } catch (const Error& error) {
     const std::string message = error.what();

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "skylut/core/json_reader.hpp"
 #include "skylut/cases/solve_case.hpp"
+#include "skylut/core/json_reader.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -40,7 +41,7 @@ struct Group {
 };
 
 void compare(const Json& reference, const std::string& name, std::map<double, Group>& groups) {
-  const Json ours = solve_case(reference, name, {});
+  const Json ours = solve_case(test::context, reference, name, {});
   const Bar& bar = bar_of(reference["sun_zenith_deg"].get<double>());
   Group& group = groups[bar.largest_sun_deg];
   for (std::size_t i = 0; i < reference["results"].size(); ++i) {

@@ -8,6 +8,7 @@
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/errors.hpp"
 #include "support/test_atmosphere.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -32,7 +33,7 @@ AtmosphereOptions without_water() {
 
 TransferOptions draft() {
   TransferOptions options;
-  options.limits = limits_of(Quality::draft);
+  options.discretisation = discretisation_of(Quality::draft);
   return options;
 }
 

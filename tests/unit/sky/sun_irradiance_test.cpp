@@ -10,6 +10,7 @@
 #include "skylut/transfer/direct_beam.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
 #include "support/test_atmosphere.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -82,8 +83,7 @@ TEST(SunIrradiance, DiffuseIsTheFluxOfFlatLayers) {
         double depth = 0.0;
         for (const double layer : term.column.extinction_depth) depth += layer;
         request.output_depths = {depth};
-        request.cos_views = {-0.5};
-        request.relative_azimuths_rad = {0.0};
+        request.directions = {{-0.5, 0.0}};
         expected += term.weight * solve_plane_parallel(term.column, request).flux_down_diffuse[0];
       }
       EXPECT_NEAR(sun.diffuse_horizontal[i] / sun.extraterrestrial[i] / expected, 1.0, 2e-3)

@@ -63,19 +63,19 @@ TEST(AngularGrid, WeightsIntegrateSimpleFields) {
 /// Moments -> radiance of both hemispheres -> moments, with the matrices of the sweep.
 std::vector<double> round_trip(const AngularGrid& grid, const std::vector<double>& moment) {
   std::vector<double> back(moment.size());
-  for (const Hemisphere half : {kDown, kUp})
+  for (const Hemisphere hemisphere : {kDown, kUp})
     for (int j = 0; j < grid.polar_nodes(); ++j)
       for (int k = 0; k < grid.azimuth_nodes(); ++k) {
         double radiance = 0.0;
         for (int m = 0; m < grid.azimuthal_orders(); ++m)
-          for (int i = 0; i < grid.degrees(m); ++i)
-            radiance += (2.0 * (m + i) + 1.0) * entry(grid.polar_synthesis(half, m), j, i) *
+          for (int i = 0; i < grid.legendre_terms(m); ++i)
+            radiance += (2.0 * (m + i) + 1.0) * entry(grid.polar_synthesis(hemisphere, m), j, i) *
                         azimuthal(grid.azimuth_synthesis(m % 2), true, k, m, grid.azimuth_nodes()) *
                         moment[static_cast<std::size_t>(grid.moment_offset(m) + i)];
         for (int m = 0; m < grid.azimuthal_orders(); ++m)
-          for (int i = 0; i < grid.degrees(m); ++i)
+          for (int i = 0; i < grid.legendre_terms(m); ++i)
             back[static_cast<std::size_t>(grid.moment_offset(m) + i)] +=
-                entry(grid.polar_analysis(half, m), i, j) *
+                entry(grid.polar_analysis(hemisphere, m), i, j) *
                 azimuthal(grid.azimuth_analysis(m % 2), false, k, m, grid.azimuth_nodes()) * radiance;
       }
   return back;
@@ -94,10 +94,10 @@ TEST(AngularGrid, BandLimitedFieldsSurviveTheRoundTrip) {
 // The zeroth moment of a uniform field is that field: (1/4π)∫ I dΩ, half of it from each hemisphere.
 TEST(AngularGrid, MeanOfAUniformField) {
   const AngularGrid grid({4, 3, 8, 4});
-  for (const Hemisphere half : {kDown, kUp}) {
+  for (const Hemisphere hemisphere : {kDown, kUp}) {
     double mean = 0.0;
     for (int j = 0; j < grid.polar_nodes(); ++j)
-      mean += grid.azimuth_nodes() * entry(grid.polar_analysis(half, 0), 0, j);
+      mean += grid.azimuth_nodes() * entry(grid.polar_analysis(hemisphere, 0), 0, j);
     EXPECT_NEAR(mean, 0.5, 1e-7);
   }
 }

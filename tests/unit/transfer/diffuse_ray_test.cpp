@@ -25,16 +25,16 @@ struct Grids {
         {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.7), column.extinction_depth});
     return column;
   }
-  Medium medium{shells(), limits_of(Quality::standard)};
-  Discretisation grid{medium, discretisation_for(medium, haze())};
+  CommonGrid common{shells(), discretisation_of(Quality::standard)};
+  Discretisation grid{common, discretisation_for(common.merge, common.discretisation, haze())};
 };
 
 /// A ray under one sun.
 struct Ray {
   Ray(const Grids& grids, double observer_km, double zenith_deg, const SunAzimuth& pair)
-      : trace(grids.grid.ray_levels, grids.medium.limits.ray_step_km, observer_km,
+      : trace(grids.grid.ray_levels, grids.common.discretisation.ray_step_km, observer_km,
               std::cos(zenith_deg * kRadiansPerDegree)),
-        local_sun(6371.0, trace.points.front(), std::span(&pair, 1), grids.medium.sun_interpolation,
+        local_sun(6371.0, trace.points.front(), std::span(&pair, 1), grids.common.sun_interpolation,
                   grids.grid.angles.azimuthal_orders()),
         diffuse(grids.grid, observer_km, zenith_deg, local_sun),
         view(diffuse.view()) {}
@@ -47,7 +47,7 @@ struct Ray {
 // Pieces add up to the ray and follow each other between the sources.
 TEST(DiffuseRay, PiecesJoinTheSources) {
   const Grids grids;
-  ASSERT_LT(grids.medium.merge.shells().levels_km.size(), grids.medium.shells.levels_km.size());
+  ASSERT_LT(grids.common.merge.shells().levels_km.size(), grids.common.shells.levels_km.size());
   for (const double observer : {0.0, 0.3, 12.0, 29.0})
     for (const double zenith : {0.0, 60.0, 90.0, 93.0, 150.0}) {
       if (observer == 0.0 && zenith > 90.0) continue;
@@ -75,7 +75,7 @@ TEST(DiffuseRay, PiecesJoinTheSources) {
     }
 }
 
-// The local sun and azimuth at every source, by vectors: the taps interpolate the zenith angle itself, and
+// The local sun and azimuth at every source, by vectors: the weights interpolate the zenith angle itself, and
 // the factor of order 1 is twice the cosine of the azimuth.
 TEST(DiffuseRay, LocalSunAndAzimuth) {
   const Grids grids;
@@ -104,8 +104,8 @@ TEST(DiffuseRay, LocalSunAndAzimuth) {
     }
     double angle = 0.0;
     for (int t = 0; t < 4; ++t)
-      angle += view.sun_taps[at][0].weight[t] *
-               grids.medium.sun_nodes_deg[static_cast<std::size_t>(view.sun_taps[at][0].first + t)];
+      angle += view.sun_weights[at][0].weight[t] *
+               grids.common.sun_nodes_deg[static_cast<std::size_t>(view.sun_weights[at][0].first + t)];
     // Distances summed from single-precision lengths, weights in single precision: 1e-5 of 90°.
     EXPECT_NEAR(angle, std::acos(cos_sun) * kDegreesPerRadian, 1e-4);
     const double cos_azimuth = (cos_between - cos_sun * cos_view) /

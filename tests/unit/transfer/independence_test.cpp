@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sky_cases.hpp"
+#include "skylut/core/errors.hpp"
 
 namespace skylut {
 namespace {
@@ -29,9 +30,7 @@ const std::vector<OpticalColumn>& columns() {
 }
 
 SkyRadiance on_threads(int threads) {
-  TransferOptions options;
-  options.threads = threads;
-  return solve_sky_radiance(test::earth(), columns(), kRequest, options);
+  return solve_sky_radiance(test::on_threads(threads), test::earth(), columns(), kRequest, {});
 }
 
 /// All columns on one thread: what every other way of asking must repeat.
@@ -105,18 +104,79 @@ TEST(Independence, OtherQuestions) {
               << c << o << s << v;
 }
 
+// Columns with none, one, two and three scatterers in one block: the absorber first, in the
+// middle and last. The sun's aureole is among the views, where the forward peaks are worked out lane by lane.
+TEST(Independence, ColumnsOfOtherScatterers) {
+  const auto two = std::make_shared<const HenyeyGreensteinPhaseFunction>(0.8);
+  std::vector<OpticalColumn> mixed(4);
+  for (OpticalColumn& column : mixed) {
+    column.extinction_depth = test::exponential_depths(0.1, 8.0);
+    column.ground_albedo = 0.3;
+  }
+  const std::vector<double> share = test::exponential_depths(0.03, 8.0);
+  mixed[1].scatterers = {{std::make_shared<const RayleighPhaseFunction>(), share}};
+  mixed[2].scatterers = {{std::make_shared<const RayleighPhaseFunction>(), share}, {two, share}};
+  mixed[3].scatterers = {{two, share},
+                         {std::make_shared<const RayleighPhaseFunction>(), share},
+                         {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.5), share}};
+  const SkyRequest request{{0.0, 3.0}, {20.0, 85.0}, {{0.0, 0.0}, {21.0, 0.0}, {84.0, 1.0}, {95.0, 90.0}}};
+  std::vector<SkyRadiance> alone;
+  for (const OpticalColumn& column : mixed) alone.push_back(test::solve(test::earth(), column, request));
+  std::vector<std::size_t> order{0, 1, 2, 3};
+  for (int turn = 0; turn < 4; ++turn) {
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+    std::vector<OpticalColumn> columns;
+    for (const std::size_t at : order) columns.push_back(mixed[at]);
+    const SkyRadiance sky = test::solve(test::earth(), columns, request);
+    for (std::size_t c = 0; c < 4; ++c)
+      for (std::size_t o = 0; o < 2; ++o)
+        for (std::size_t s = 0; s < 2; ++s)
+          for (std::size_t v = 0; v < 4; ++v)
+            EXPECT_EQ(sky.at(c, o, s, v), alone[order[c]].at(0, o, s, v)) << c << o << s << v;
+  }
+}
+
 TEST(Independence, ProgressIsReportedToTheEnd) {
   std::size_t last = 0;
   std::size_t whole = 0;
-  TransferOptions options;
-  options.progress = [&](std::size_t done, std::size_t all) {
+  Context context = test::context;
+  context.progress = [&](std::string_view stage, std::size_t done, std::size_t all) {
+    EXPECT_EQ(stage, "solving the radiative transfer");
     EXPECT_GT(done, last);
     last = done;
     whole = all;
   };
-  solve_sky_radiance(test::earth(), std::span(columns()).first(3), kRequest, options);
+  solve_sky_radiance(context, test::earth(), std::span(columns()).first(3), kRequest, {});
   EXPECT_EQ(last, whole);
   EXPECT_GT(whole, 0u);
+}
+
+TEST(Independence, StopsWhenAsked) {
+  for (const std::size_t stop_at : {0u, 1u, 2u}) {
+    std::stop_source stop;
+    Context context = test::on_threads(1);
+    context.cancel = stop.get_token();
+    std::size_t steps = 0;
+    context.progress = [&](std::string_view, std::size_t, std::size_t) {
+      if (++steps == stop_at) stop.request_stop();
+    };
+    if (stop_at == 0) stop.request_stop();
+    EXPECT_THROW(solve_sky_radiance(context, test::earth(), columns(), kRequest, {}), Cancelled) << stop_at;
+    EXPECT_EQ(steps, stop_at);
+  }
+}
+
+TEST(Independence, ReportsHowItWasSolved) {
+  const SkyRadiance portable = solve_sky_radiance(test::with_simd(Simd::portable), test::earth(),
+                                                  std::span(columns()).first(3), kRequest, {});
+  EXPECT_EQ(portable.report().kernel, "portable");
+  EXPECT_EQ(portable.report().lanes, 4);
+  EXPECT_GE(portable.report().blocks, 1u);
+  EXPECT_GT(portable.report().iterations_most, 3);
+  EXPECT_LT(portable.report().iterations_most, 30);
+  EXPECT_GT(portable.report().error_left, 0.0);
+  EXPECT_LE(portable.report().error_left, 1.001e-3);
+  EXPECT_GT(portable.report().cpu_s, 0.0);
 }
 
 }  // namespace

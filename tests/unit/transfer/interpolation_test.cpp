@@ -10,13 +10,14 @@ namespace {
 const std::vector<double> kNodes = {0.0, 1.0, 2.5, 3.0, 5.0, 5.5, 7.0};
 
 double interpolate(double x, double (*f)(double)) {
-  const Taps taps = CubicInterpolation(kNodes)(x);
+  const InterpolationWeights weights = CubicInterpolation(kNodes)(x);
   double sum = 0.0;
-  for (int i = 0; i < 4; ++i) sum += taps.weight[i] * f(kNodes[static_cast<std::size_t>(taps.first + i)]);
+  for (int i = 0; i < 4; ++i)
+    sum += weights.weight[i] * f(kNodes[static_cast<std::size_t>(weights.first + i)]);
   return sum;
 }
 
-// Four taps determine a cubic; the weights are single precision and of size 1, the values up to 300.
+// Four weights determine a cubic; the weights are single precision and of size 1, the values up to 300.
 TEST(Interpolation, CubicsAreExact) {
   const auto cubic = [](double x) { return 1.0 - 2.0 * x + 0.5 * x * x + 0.7 * x * x * x; };
   for (double x = 0.0; x <= 7.0; x += 0.05) EXPECT_NEAR(interpolate(x, cubic), cubic(x), 300.0 * 2e-7) << x;
@@ -29,10 +30,10 @@ TEST(Interpolation, NodesKeepTheirValues) {
 
 TEST(Interpolation, TapsSurroundThePoint) {
   for (double x = 0.05; x < 7.0; x += 0.1) {
-    const Taps taps = CubicInterpolation(kNodes)(x);
-    ASSERT_GE(taps.first, 0);
-    ASSERT_LE(taps.first + 3, 6);
-    const auto first = static_cast<std::size_t>(taps.first);
+    const InterpolationWeights weights = CubicInterpolation(kNodes)(x);
+    ASSERT_GE(weights.first, 0);
+    ASSERT_LE(weights.first + 3, 6);
+    const auto first = static_cast<std::size_t>(weights.first);
     EXPECT_LE(kNodes[first], x);
     EXPECT_GE(kNodes[first + 3], x);
     // Away from the ends, two on either side.

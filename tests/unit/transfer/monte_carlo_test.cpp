@@ -8,6 +8,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
+#include "support/test_context.hpp"
 
 namespace skylut {
 namespace {
@@ -34,8 +35,8 @@ std::vector<double> plane_radiance(const OpticalColumn& column, const MonteCarlo
     PlaneParallelRequest asked;
     asked.cos_sun_zenith = std::cos(request.sun_zenith_deg * kRadiansPerDegree);
     asked.output_depths = {depth};
-    asked.cos_views = {-std::cos(view.zenith_deg * kRadiansPerDegree)};
-    asked.relative_azimuths_rad = {view.relative_azimuth_deg * kRadiansPerDegree};
+    asked.directions = {
+        {-std::cos(view.zenith_deg * kRadiansPerDegree), view.relative_azimuth_deg * kRadiansPerDegree}};
     radiance.push_back(solve_plane_parallel(column, asked).radiance[0]);
   }
   return radiance;
@@ -46,7 +47,7 @@ TEST(MonteCarlo, HugePlanetIsPlaneParallel) {
   const Shells shells{kEarth.levels_km, 1e6};
   const OpticalColumn column = hazy_column();
   const MonteCarloRequest request = views_of(2.0, 50.0);
-  const auto estimate = solve_monte_carlo(shells, column, request, {400'000, 3, 0, 0});
+  const auto estimate = solve_monte_carlo(test::context, shells, column, request, {400'000, 3, 0});
   const std::vector<double> expected = plane_radiance(column, request, 0.18);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_LT(estimate[i].standard_error, 0.005 * expected[i]) << i;
@@ -60,7 +61,8 @@ TEST(MonteCarlo, HugePlanetIsPlaneParallel) {
 TEST(MonteCarlo, FirstOrderIsTheClosedForm) {
   const Shells shells{{0.0, 10.0}, 1e6};
   const OpticalColumn column{{0.4}, {{std::make_shared<const RayleighPhaseFunction>(), {0.36}}}, 0.0};
-  const auto estimate = solve_monte_carlo(shells, column, {0.0, 60.0, {{0.0, 0.0}}}, {100'000, 1, 1, 0});
+  const auto estimate =
+      solve_monte_carlo(test::context, shells, column, {0.0, 60.0, {{0.0, 0.0}}}, {100'000, 1, 1});
   const double expected =
       0.9 * 0.75 * (1.0 + 0.25) / (4.0 * kPi) * 0.5 / (0.5 - 1.0) * (std::exp(-0.4 / 0.5) - std::exp(-0.4));
   // The stratified first collision leaves hardly any noise; the curvature over 10 km leaves 1e-5.
@@ -71,13 +73,15 @@ TEST(MonteCarlo, FirstOrderIsTheClosedForm) {
 TEST(MonteCarlo, ThreadsAndOtherViewsChangeNothing) {
   const OpticalColumn column = hazy_column();
   const MonteCarloRequest all = views_of(0.0, 85.0);
-  const auto one_thread = solve_monte_carlo(kEarth, column, all, {2'000, 7, 0, 1});
-  const auto four_threads = solve_monte_carlo(kEarth, column, all, {2'000, 7, 0, 4});
-  const auto alone = solve_monte_carlo(kEarth, column, {0.0, 85.0, {all.views[2]}}, {2'000, 7, 0, 1});
+  const auto one_thread = solve_monte_carlo(test::on_threads(1), kEarth, column, all, {2'000, 7, 0});
+  const auto four_threads = solve_monte_carlo(test::on_threads(4), kEarth, column, all, {2'000, 7, 0});
+  const auto alone =
+      solve_monte_carlo(test::context, kEarth, column, {0.0, 85.0, {all.views[2]}}, {2'000, 7, 0});
   for (std::size_t i = 0; i < all.views.size(); ++i)
     EXPECT_EQ(one_thread[i].radiance, four_threads[i].radiance);
   EXPECT_EQ(one_thread[2].radiance, alone[0].radiance);
-  EXPECT_NE(one_thread[0].radiance, solve_monte_carlo(kEarth, column, all, {2'000, 8, 0, 1})[0].radiance);
+  EXPECT_NE(one_thread[0].radiance,
+            solve_monte_carlo(test::context, kEarth, column, all, {2'000, 8, 0})[0].radiance);
 }
 
 // A sharp Legendre phase function and the same as Henyey-Greenstein are drawn by the same table: the tail of
@@ -89,22 +93,27 @@ TEST(MonteCarlo, LegendreSeriesEqualsItsClosedForm) {
     return OpticalColumn{{0.4, 0.1, 0.05}, {{std::move(phase), {0.4, 0.1, 0.05}}}, 0.1};
   };
   const MonteCarloRequest request{0.0, 60.0, {{50.0, 0.0}}};
-  const auto closed = solve_monte_carlo(
-      kEarth, column(std::make_shared<const HenyeyGreensteinPhaseFunction>(0.85)), request, {4'000, 5, 0, 0});
-  const auto series = solve_monte_carlo(
-      kEarth, column(std::make_shared<const LegendrePhaseFunction>(moments)), request, {4'000, 5, 0, 0});
+  const auto closed = solve_monte_carlo(test::context, kEarth,
+                                        column(std::make_shared<const HenyeyGreensteinPhaseFunction>(0.85)),
+                                        request, {4'000, 5, 0});
+  const auto series =
+      solve_monte_carlo(test::context, kEarth, column(std::make_shared<const LegendrePhaseFunction>(moments)),
+                        request, {4'000, 5, 0});
   EXPECT_NEAR(series[0].radiance / closed[0].radiance, 1.0, 1e-4);
 }
 
 TEST(MonteCarlo, ShadowAndAbsorbersAreDark) {
   const OpticalColumn absorber{{0.3, 0.1, 0.1}, {}, 0.0};
-  for (const MonteCarloRadiance& dark : solve_monte_carlo(kEarth, absorber, views_of(0.0, 30.0), {}))
+  for (const MonteCarloRadiance& dark :
+       solve_monte_carlo(test::context, kEarth, absorber, views_of(0.0, 30.0), {}))
     EXPECT_EQ(dark.radiance, 0.0);
   // Sun 30° below the horizon: the shadow reaches R (1/cos 30° - 1) = 986 km at the zenith, above all air.
-  const auto night = solve_monte_carlo(kEarth, hazy_column(), {0.0, 120.0, {{0.0, 0.0}}}, {1'000, 1, 1, 0});
+  const auto night =
+      solve_monte_carlo(test::context, kEarth, hazy_column(), {0.0, 120.0, {{0.0, 0.0}}}, {1'000, 1, 1});
   EXPECT_EQ(night[0].radiance, 0.0);
   // Sun 4° below it: lit above R (1/cos 4° - 1) = 15.6 km.
-  const auto twilight = solve_monte_carlo(kEarth, hazy_column(), {0.0, 94.0, {{0.0, 0.0}}}, {1'000, 1, 1, 0});
+  const auto twilight =
+      solve_monte_carlo(test::context, kEarth, hazy_column(), {0.0, 94.0, {{0.0, 0.0}}}, {1'000, 1, 1});
   EXPECT_GT(twilight[0].radiance, 0.0);
 }
 
@@ -112,8 +121,8 @@ TEST(MonteCarlo, ShadowAndAbsorbersAreDark) {
 TEST(MonteCarlo, OrdersAddUp) {
   double before = 0.0;
   for (int orders : {1, 2, 4}) {
-    const auto estimate =
-        solve_monte_carlo(kEarth, hazy_column(), {0.0, 60.0, {{40.0, 90.0}}}, {50'000, 1, orders, 0});
+    const auto estimate = solve_monte_carlo(test::context, kEarth, hazy_column(), {0.0, 60.0, {{40.0, 90.0}}},
+                                            {50'000, 1, orders});
     EXPECT_GT(estimate[0].radiance, before + 3.0 * estimate[0].standard_error);
     before = estimate[0].radiance;
   }
@@ -121,12 +130,15 @@ TEST(MonteCarlo, OrdersAddUp) {
 
 TEST(MonteCarlo, RefusesWhatIsOutOfRange) {
   const OpticalColumn column = hazy_column();
-  EXPECT_THROW(solve_monte_carlo(kEarth, column, views_of(-1.0, 30.0), {}), InputError);
-  EXPECT_THROW(solve_monte_carlo(kEarth, column, views_of(61.0, 30.0), {}), InputError);
-  EXPECT_THROW(solve_monte_carlo(kEarth, column, views_of(0.0, 200.0), {}), InputError);
-  EXPECT_THROW(solve_monte_carlo(kEarth, column, views_of(0.0, 30.0), {10, 1, 0, 0}), InputError);
-  EXPECT_THROW(solve_monte_carlo({kEarth.levels_km, INFINITY}, column, views_of(0.0, 30.0), {}), InputError);
-  EXPECT_THROW(solve_monte_carlo({{0.0, 1.0}, 6371.0}, column, views_of(0.0, 30.0), {}), InputError);
+  EXPECT_THROW(solve_monte_carlo(test::context, kEarth, column, views_of(-1.0, 30.0), {}), InputError);
+  EXPECT_THROW(solve_monte_carlo(test::context, kEarth, column, views_of(61.0, 30.0), {}), InputError);
+  EXPECT_THROW(solve_monte_carlo(test::context, kEarth, column, views_of(0.0, 200.0), {}), InputError);
+  EXPECT_THROW(solve_monte_carlo(test::context, kEarth, column, views_of(0.0, 30.0), {10, 1, 0}), InputError);
+  EXPECT_THROW(
+      solve_monte_carlo(test::context, {kEarth.levels_km, INFINITY}, column, views_of(0.0, 30.0), {}),
+      InputError);
+  EXPECT_THROW(solve_monte_carlo(test::context, {{0.0, 1.0}, 6371.0}, column, views_of(0.0, 30.0), {}),
+               InputError);
 }
 
 }  // namespace

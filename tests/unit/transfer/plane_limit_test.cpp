@@ -40,8 +40,8 @@ void expect_plane(const test::Air& air, double relative) {
         PlaneParallelRequest asked;
         asked.cos_sun_zenith = std::cos(kSuns_deg[s] * kRadiansPerDegree);
         asked.output_depths = {depth_above(column, kObservers_km[o])};
-        asked.cos_views = {-std::cos(kViews[v].zenith_deg * kRadiansPerDegree)};
-        asked.relative_azimuths_rad = {kViews[v].relative_azimuth_deg * kRadiansPerDegree};
+        asked.directions = {{-std::cos(kViews[v].zenith_deg * kRadiansPerDegree),
+                             kViews[v].relative_azimuth_deg * kRadiansPerDegree}};
         const double expected = solve_plane_parallel(column, asked).radiance[0];
         const double error = sky.at(0, o, s, v) / expected - 1.0;
         EXPECT_NEAR(error, 0.0, relative) << kObservers_km[o] << " km, sun " << kSuns_deg[s] << ", view "
@@ -67,6 +67,34 @@ TEST(PlaneLimit, Haze) {
 TEST(PlaneLimit, ThickHaze) {
   expect_plane(
       {.rayleigh_depth = 0.1, .haze_depth = 1.0, .haze_scattering_albedo = 0.95, .ground_albedo = 0.1}, 3e-3);
+}
+
+// Around the sun, light is scattered more than once within the forward peak that delta-M takes for none. A
+// haze whose particles diffract (a narrow peak on a broad phase function) is within 0.7 % of the
+// plane-parallel solver with 192 streams, which resolves the peak; without ForwardPeakCorrection the sky is 5
+// % too bright at 1 degree and 1.5 % at 3.
+TEST(PlaneLimit, AureoleOfAPeakedPhaseFunction) {
+  const Shells shells{{0.0, 2.0, 100.0}, 6.4e7};
+  const OpticalColumn column{{0.5, 0.1},
+                             {{std::make_shared<const RayleighPhaseFunction>(), {0.05, 0.05}},
+                              {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.97), {0.1, 0.005}},
+                              {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.6), {0.3, 0.02}}},
+                             0.1};
+  constexpr double kSun_deg = 45.0;
+  SkyRequest request{{0.0}, {kSun_deg}, {}};
+  for (const double off_deg : {1.0, 2.0, 3.0, 5.0, 8.0, 11.0, 15.0})
+    for (const double side : {-1.0, 1.0}) request.views.push_back({kSun_deg + side * off_deg, 0.0});
+  const SkyRadiance sky = test::solve(shells, column, request);
+  PlaneParallelRequest asked;
+  asked.cos_sun_zenith = std::cos(kSun_deg * kRadiansPerDegree);
+  asked.output_depths = {0.6};
+  asked.streams = 192;
+  for (const RelativeView& view : request.views)
+    asked.directions.push_back({-std::cos(view.zenith_deg * kRadiansPerDegree), 0.0});
+  const PlaneParallelResult expected = solve_plane_parallel(column, asked);
+  for (std::size_t v = 0; v < request.views.size(); ++v)
+    EXPECT_NEAR(sky.at(0, 0, 0, v) / expected.radiance[v], 1.0, 7e-3)
+        << request.views[v].zenith_deg - kSun_deg;
 }
 
 // Reflection function of plane air: I(μ0 → μ, φ)/μ0 is symmetric in μ0 and μ (van de Hulst 1980, §3.1). The

@@ -35,8 +35,8 @@ PlaneParallelRequest request(double cos_sun, std::vector<double> depths) {
   PlaneParallelRequest asked;
   asked.cos_sun_zenith = cos_sun;
   asked.output_depths = std::move(depths);
-  asked.cos_views = {-1.0, -0.83, -0.31, -0.02, 0.02, 0.47, 1.0};
-  asked.relative_azimuths_rad = {0.0, 1.1, kPi};
+  asked.directions =
+      PlaneParallelRequest::every({-1.0, -0.83, -0.31, -0.02, 0.02, 0.47, 1.0}, {0.0, 1.1, kPi});
   return asked;
 }
 
@@ -65,9 +65,9 @@ Phase garcia_siewert(int column, std::size_t last) {
 // as printed: six digits.
 TEST(PlaneParallel, HazeLAsPublished) {
   PlaneParallelRequest asked;
-  asked.cos_views = {-1.0, -0.5, -0.1, 0.1, 0.5, 1.0};
+  const std::vector<double> cos_views{-1.0, -0.5, -0.1, 0.1, 0.5, 1.0};
+  asked.directions = PlaneParallelRequest::every(cos_views, {0.0});
   asked.output_depths = {0.0, 0.5, 1.0};
-  asked.relative_azimuths_rad = {0.0};
   asked.streams = 32;
   const PlaneParallelResult overhead = solve_plane_parallel(slab(1.0, 1.0, garcia_siewert(1, 32)), asked);
   const std::vector<double> published = {0,       0,        0,        0.0926837, 0.0659569, 0.0364755,
@@ -79,7 +79,7 @@ TEST(PlaneParallel, HazeLAsPublished) {
   EXPECT_NEAR(kPi * overhead.flux_up[0], 0.173223, 1e-6);
 
   asked.cos_sun_zenith = 0.5;
-  asked.relative_azimuths_rad = {kPi / 2.0};
+  asked.directions = PlaneParallelRequest::every(cos_views, {kPi / 2.0});
   const PlaneParallelResult slant = solve_plane_parallel(slab(1.0, 0.9, garcia_siewert(1, 32)), asked);
   const std::vector<double> at_bottom = {0.0838488, 0.0942187, 0.0895457};
   for (std::size_t i = 0; i < at_bottom.size(); ++i)
@@ -92,8 +92,7 @@ TEST(PlaneParallel, HazeLAsPublished) {
 // included.
 TEST(PlaneParallel, CloudC1AsPublished) {
   PlaneParallelRequest asked;
-  asked.cos_views = {-1.0, -0.5, -0.1, 0.1, 0.5, 1.0};
-  asked.relative_azimuths_rad = {0.0};
+  asked.directions = PlaneParallelRequest::every({-1.0, -0.5, -0.1, 0.1, 0.5, 1.0}, {0.0});
   asked.output_depths = {0.0, 32.0, 64.0};
   asked.streams = 48;
   const PlaneParallelResult conservative =
@@ -155,12 +154,13 @@ TEST(PlaneParallel, HalfSpaceFollowsTheHFunction) {
   }
   const double cos_sun = 0.6;
   PlaneParallelRequest asked = request(cos_sun, {0.0});
-  asked.cos_views = {0.1, 0.5, 1.0};
+  const std::vector<double> cos_views{0.1, 0.5, 1.0};
+  asked.directions = PlaneParallelRequest::every(cos_views, {0.0});
   const PlaneParallelResult result = solve_plane_parallel(slab(200.0, albedo, henyey_greenstein(0.0)), asked);
-  for (std::size_t view = 0; view < asked.cos_views.size(); ++view) {
-    const double mu = asked.cos_views[view];
+  for (std::size_t view = 0; view < cos_views.size(); ++view) {
+    const double mu = cos_views[view];
     const double expected = albedo / (4.0 * kPi) * cos_sun / (mu + cos_sun) * h_at(mu) * h_at(cos_sun);
-    EXPECT_NEAR(result.radiance[3 * view] / expected, 1.0, 1e-6) << mu;
+    EXPECT_NEAR(result.radiance[view] / expected, 1.0, 1e-6) << mu;
   }
 }
 
@@ -169,8 +169,8 @@ TEST(PlaneParallel, ReflectionIsReciprocal) {
   const OpticalColumn column = slab(2.0, 0.95, henyey_greenstein(0.85), 0.3);
   const auto reflected = [&](double cos_sun, double cos_view) {
     PlaneParallelRequest asked = request(cos_sun, {0.0});
-    asked.cos_views = {cos_view};
-    return solve_plane_parallel(column, asked).radiance[1] / cos_sun;
+    asked.directions = {{cos_view, 1.1}};
+    return solve_plane_parallel(column, asked).radiance[0] / cos_sun;
   };
   // Reciprocity holds on the ordinates to rounding; between them to the error of the quadrature.
   EXPECT_NEAR(reflected(0.35, 0.8) / reflected(0.8, 0.35), 1.0, 1e-6);
@@ -203,11 +203,32 @@ TEST(PlaneParallel, AutomaticStreamsHaveConverged) {
 TEST(PlaneParallel, SharpPeakNeedsTheAureoleCorrection) {
   OpticalColumn column{{1.0}, {{henyey_greenstein(0.95), {0.7}}, {henyey_greenstein(0.3), {0.3}}}, 0.0};
   PlaneParallelRequest asked = request(1.0, {1.0});
-  asked.cos_views = {-std::cos(3.0 * kRadiansPerDegree), -std::cos(8.0 * kRadiansPerDegree)};
+  asked.directions = {{-std::cos(3.0 * kRadiansPerDegree), 0.0}, {-std::cos(8.0 * kRadiansPerDegree), 0.0}};
   asked.streams = 64;
   const PlaneParallelResult coarse = solve_plane_parallel(column, asked);
   asked.streams = 400;
   EXPECT_LT(largest_difference(coarse, solve_plane_parallel(column, asked)), 0.01);
+}
+
+// What is asked is a list, not a grid: 20,000 directions of as many zenith angles take 160 kB of results,
+// where a grid of them would take 3 GB, and agree with the same direction asked alone. (The azimuth series of
+// a list ends where the slowest of its directions allows: 1e-6.)
+TEST(PlaneParallel, ManyDirectionsAreAListNotAGrid) {
+  const OpticalColumn column = slab(0.5, 0.9, henyey_greenstein(0.5), 0.2);
+  PlaneParallelRequest asked;
+  asked.cos_sun_zenith = 0.6;
+  asked.output_depths = {0.5};
+  constexpr std::size_t kCount = 20'000;
+  for (std::size_t i = 0; i < kCount; ++i)
+    asked.directions.push_back(
+        {-0.05 - 0.9 * static_cast<double>(i) / kCount, 1e-4 * static_cast<double>(i)});
+  const PlaneParallelResult all = solve_plane_parallel(column, asked);
+  ASSERT_EQ(all.radiance.size(), kCount);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{777}, std::size_t{10'001}, kCount - 1}) {
+    PlaneParallelRequest one = asked;
+    one.directions = {asked.directions[i]};
+    EXPECT_NEAR(all.radiance[i] / solve_plane_parallel(column, one).radiance[0], 1.0, 1e-5) << i;
+  }
 }
 
 // Thin limit: I = ω p(Θ)/4π · τ/μ to first order in τ.
@@ -263,7 +284,7 @@ TEST(PlaneParallel, RefusesWhatIsOutOfRange) {
   EXPECT_THROW(solve_plane_parallel(slab(-1.0, 1.0, rayleigh()), request(0.5, {0.0})), InputError);
   EXPECT_THROW(solve_plane_parallel(slab(1.0, 1.0, rayleigh(), 1.5), request(0.5, {0.0})), InputError);
   PlaneParallelRequest horizontal = request(0.5, {0.0});
-  horizontal.cos_views = {0.0};
+  horizontal.directions = {{0.0, 0.0}};
   EXPECT_THROW(solve_plane_parallel(good, horizontal), InputError);
   // Light would grow on its way: all moments 1 and then none is no phase function.
   const auto impossible =

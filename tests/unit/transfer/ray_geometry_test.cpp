@@ -10,17 +10,17 @@
 namespace skylut::transfer {
 namespace {
 
-const Medium& medium() {
-  static const Medium one(test::earth(), limits_of(Quality::standard));
+const CommonGrid& common() {
+  static const CommonGrid one(test::earth(), discretisation_of(Quality::standard));
   return one;
 }
 
 /// A ray with the view that the kernel gets of it.
 struct Ray {
   Ray(double observer_km, double zenith_deg, std::vector<SunAzimuth> pairs = {{45.0, 30.0}})
-      : trace(medium().layers, medium().limits.ray_step_km, observer_km,
+      : trace(common().layers, common().discretisation.ray_step_km, observer_km,
               std::cos(zenith_deg * kRadiansPerDegree)),
-        geometry(medium(), observer_km, zenith_deg, pairs),
+        geometry(common(), observer_km, zenith_deg, pairs),
         view(geometry.view()) {}
   double length() const {
     double sum = 0.0;
@@ -61,15 +61,15 @@ TEST(RayGeometry, SegmentsAddUpToTheRay) {
       const double cosine = std::cos(zenith * kRadiansPerDegree);
       for (int i = 0; i < ray.view.segments; ++i) {
         const RaySegment& segment = ray.view.segment[i];
-        EXPECT_LE(segment.length_km, 1.0001 * medium().limits.ray_step_km);
+        EXPECT_LE(segment.length_km, 1.0001 * common().discretisation.ray_step_km);
         for (const RayPoint& end : {ray.trace.points[static_cast<std::size_t>(i)],
                                     ray.trace.points[static_cast<std::size_t>(i) + 1]}) {
           const double r = 6371.0 + observer;
           const double d = end.distance_km;
           // Squares of radii in double precision: 1e-16 r² / r.
           EXPECT_NEAR(end.altitude_km, std::sqrt(r * r + d * d + 2.0 * d * r * cosine) - 6371.0, 1e-9);
-          EXPECT_GE(end.altitude_km, medium().layers.level_km(segment.layer) - 1e-9);
-          EXPECT_LE(end.altitude_km, medium().layers.level_km(segment.layer + 1) + 1e-9);
+          EXPECT_GE(end.altitude_km, common().layers.level_km(segment.layer) - 1e-9);
+          EXPECT_LE(end.altitude_km, common().layers.level_km(segment.layer + 1) + 1e-9);
         }
       }
     }

@@ -84,10 +84,10 @@ TEST(SkyBounds, BareGroundIsLambertian) {
     double expected = 0.0;
     if (ground) {
       const double distance = -along - std::sqrt(square);
-      const double view_to_sun = std::cos(zenith) * std::cos(sun) +
-                                 std::sin(zenith) * std::sin(sun) *
-                                     std::cos(request.views[v].relative_azimuth_deg * kRadiansPerDegree);
-      expected = albedo / kPi * std::max(0.0, (r * std::cos(sun) + distance * view_to_sun) / 6371.0);
+      const double cos_scattering = std::cos(zenith) * std::cos(sun) +
+                                    std::sin(zenith) * std::sin(sun) *
+                                        std::cos(request.views[v].relative_azimuth_deg * kRadiansPerDegree);
+      expected = albedo / kPi * std::max(0.0, (r * std::cos(sun) + distance * cos_scattering) / 6371.0);
     }
     // Single precision of cosines: 6e-8 of 1 where the sun is at the horizon of the place.
     EXPECT_NEAR(sky.at(0, o, s, v), expected, 1e-6 * expected + 2e-8)
@@ -105,8 +105,8 @@ TEST(SkyBounds, OrdersAddUp) {
   std::vector<SkyRadiance> sums;
   for (const int orders : {1, 2, 3, 5, 30}) {
     TransferOptions options;
-    options.orders = orders;
-    sums.push_back(solve_sky_radiance(test::earth(), std::span(&column, 1), request, options));
+    options.scattering_orders = orders;
+    sums.push_back(solve_sky_radiance(test::context, test::earth(), std::span(&column, 1), request, options));
   }
   for_each(request, 1, [&](std::size_t c, std::size_t o, std::size_t s, std::size_t v) {
     for (std::size_t i = 1; i < sums.size(); ++i)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skylut/transfer/sky_radiance.hpp"
+#include "support/test_context.hpp"
 
 /// Atmospheres for the tests of the spherical solver.
 namespace skylut::test {
@@ -60,7 +61,7 @@ inline OpticalColumn column_of(const Air& air) {
 
 inline SkyRadiance solve(const Shells& shells, std::span<const OpticalColumn> columns,
                          const SkyRequest& request) {
-  return solve_sky_radiance(shells, columns, request, {});
+  return solve_sky_radiance(test::context, shells, columns, request, {});
 }
 
 inline SkyRadiance solve(const Shells& shells, const OpticalColumn& column, const SkyRequest& request) {

@@ -19,33 +19,34 @@ using Vector = std::array<double, 3>;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Value at the taps of a function that is linear between them.
+/// Value interpolated of a function that is linear between them.
 template <class T>
-double at_taps(const T& taps, const std::vector<double>& node) {
+double interpolated(const T& weights, const std::vector<double>& node) {
   double sum = 0.0;
-  for (int i = 0; i < 4; ++i) sum += taps.weight[i] * node[static_cast<std::size_t>(taps.first + i)];
+  for (int i = 0; i < 4; ++i) sum += weights.weight[i] * node[static_cast<std::size_t>(weights.first + i)];
   return sum;
 }
 
-double signed_mu(Hemisphere half, int j) {
+double signed_mu(Hemisphere hemisphere, int j) {
   const double alpha = kAngles.cos_polar()[static_cast<std::size_t>(j)];
-  return half == kUp ? alpha : -alpha;
+  return hemisphere == kUp ? alpha : -alpha;
 }
 
-/// Calls check(half, layer, j, end, start): the point at the vertical where the ray of node j leaves the
-/// layer, in long double so that the radii keep their digits; and the one where the stencil says it entered.
+/// Calls check(hemisphere, layer, j, end, start): the point at the vertical where the ray of node j leaves
+/// the layer, in long double so that the radii keep their digits; and the one where the stencil says it
+/// entered.
 template <class Check>
 void for_each_ray(const ShellGeometry& shells, const SweepStencil& stencil, const Check& check) {
-  for (const Hemisphere half : {kDown, kUp})
+  for (const Hemisphere hemisphere : {kDown, kUp})
     for (int layer = 0; layer < shells.layers(); ++layer)
       for (int j = 0; j < kAngles.polar_nodes(); ++j) {
-        const long double mu = signed_mu(half, j);
+        const long double mu = signed_mu(hemisphere, j);
         const long double planet = shells.planet_radius_km();
-        const long double end = planet + shells.level_km(half == kDown ? layer : layer + 1);
-        const long double length = stencil.polar(half, layer, j).length_km;
+        const long double end = planet + shells.level_km(hemisphere == kDown ? layer : layer + 1);
+        const long double length = stencil.polar(hemisphere, layer, j).length_km;
         const long double across = length * std::sqrt(1.0L - mu * mu);
         const long double up = end - length * mu;
-        check(half, layer, j, std::sqrt(up * up + across * across),
+        check(hemisphere, layer, j, std::sqrt(up * up + across * across),
               (mu * end - length) / std::sqrt(up * up + across * across));
       }
 }
@@ -59,57 +60,66 @@ class SweepStencilOfPlanet : public testing::TestWithParam<double> {
 // Going back along the straight ray by the stencil's length ends on the other boundary of the layer, or, for
 // a chord, on the same.
 TEST_P(SweepStencilOfPlanet, LengthsReachTheBoundary) {
-  for_each_ray(shells, stencil, [&](Hemisphere half, int layer, int j, long double radius, long double) {
-    const PolarStep& step = stencil.polar(half, layer, j);
-    const double start_km = shells.level_km(half == kDown || step.chord ? layer + 1 : layer);
-    // The length is single precision: 6e-8 of it, seen at the cosine of the direction (below 1).
-    EXPECT_NEAR(static_cast<double>(radius - shells.planet_radius_km()), start_km, 1.2e-7 * step.length_km)
-        << half << " " << layer << " " << j;
-  });
+  for_each_ray(
+      shells, stencil, [&](Hemisphere hemisphere, int layer, int j, long double radius, long double) {
+        const PolarStep& step = stencil.polar(hemisphere, layer, j);
+        const double start_km = shells.level_km(hemisphere == kDown || step.chord ? layer + 1 : layer);
+        // The length is single precision: 6e-8 of it, seen at the cosine of the direction (below 1).
+        EXPECT_NEAR(static_cast<double>(radius - shells.planet_radius_km()), start_km,
+                    1.2e-7 * step.length_km)
+            << hemisphere << " " << layer << " " << j;
+      });
 }
 
-// The polar taps stand where the ray has its direction at the start: cubic interpolation returns √|μ| itself.
+// The polar nodes stand where the ray has its direction at the start: cubic interpolation returns √|μ|
+// itself.
 TEST_P(SweepStencilOfPlanet, PolarTapsFollowTheDirection) {
   std::vector<double> root;
   for (const double alpha : kAngles.cos_polar()) root.push_back(std::sqrt(alpha));
-  for_each_ray(shells, stencil, [&](Hemisphere half, int layer, int j, long double, long double cosine) {
-    const PolarStep& step = stencil.polar(half, layer, j);
-    if (step.chord) {
-      // A chord meets its boundary at the same angle, going down.
-      EXPECT_NEAR(static_cast<double>(cosine), -signed_mu(half, j), 1e-6);
-      return;
-    }
-    EXPECT_EQ(half == kUp, cosine > 0.0L);
-    const double expected =
-        std::clamp(std::sqrt(std::abs(static_cast<double>(cosine))), root.front(), root.back());
-    // Weights and length are single precision; √|μ| at the horizon amplifies by 1/(2 root), at most 40.
-    EXPECT_NEAR(at_taps(step.upwind, root), expected, 1e-5) << half << " " << layer << " " << j;
-  });
+  for_each_ray(shells, stencil,
+               [&](Hemisphere hemisphere, int layer, int j, long double, long double cosine) {
+                 const PolarStep& step = stencil.polar(hemisphere, layer, j);
+                 if (step.chord) {
+                   // A chord meets its boundary at the same angle, going down.
+                   EXPECT_NEAR(static_cast<double>(cosine), -signed_mu(hemisphere, j), 1e-6);
+                   return;
+                 }
+                 EXPECT_EQ(hemisphere == kUp, cosine > 0.0L);
+                 const double expected =
+                     std::clamp(std::sqrt(std::abs(static_cast<double>(cosine))), root.front(), root.back());
+                 // Weights and length are single precision; √|μ| at the horizon amplifies by 1/(2 root), at
+                 // most 40.
+                 EXPECT_NEAR(interpolated(step.upwind, root), expected, 1e-5)
+                     << hemisphere << " " << layer << " " << j;
+               });
 }
 
 // Solar zenith angle at the start, by vectors: the sun stands at (sin θs, 0, cos θs), the beam's azimuth is
 // -x, and the light of azimuth φ travels along (-sin θ cos φ, -sin θ sin φ, μ).
 TEST_P(SweepStencilOfPlanet, SunTapsFollowTheLocalVertical) {
-  for (const Hemisphere half : {kDown, kUp})
+  for (const Hemisphere hemisphere : {kDown, kUp})
     for (int layer = 0; layer < shells.layers(); ++layer)
       for (int node = 0; node < static_cast<int>(kSunNodes_deg.size()); ++node)
         for (int j = 0; j < kAngles.polar_nodes(); ++j)
           for (int k = 0; k < kAngles.azimuth_nodes(); ++k) {
             const double sun = kSunNodes_deg[static_cast<std::size_t>(node)] * kRadiansPerDegree;
             const double phi = kAngles.azimuth_rad()[static_cast<std::size_t>(k)];
-            const double mu = signed_mu(half, j);
+            const double mu = signed_mu(hemisphere, j);
             const double sine = std::sqrt(1.0 - mu * mu);
-            const double length = stencil.polar(half, layer, j).length_km;
+            const double length = stencil.polar(hemisphere, layer, j).length_km;
             const Vector point = {
                 length * sine * std::cos(phi), length * sine * std::sin(phi),
-                GetParam() + shells.level_km(half == kDown ? layer : layer + 1) - length * mu};
+                GetParam() + shells.level_km(hemisphere == kDown ? layer : layer + 1) - length * mu};
             const double cosine =
                 dot(point, {std::sin(sun), 0.0, std::cos(sun)}) / std::sqrt(dot(point, point));
             const double expected =
                 std::clamp(std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian, 0.0, 104.0);
-            const Taps& taps = stencil.sun(half, layer, node)[j * kAngles.azimuth_nodes() + k];
-            // Single-precision weights times angles of 100°; near the zenith acos loses half the digits.
-            EXPECT_NEAR(at_taps(taps, kSunNodes_deg), expected, 1e-4) << half << " " << layer << " " << j;
+            const InterpolationWeights& weights =
+                stencil.sun(hemisphere, layer, node)[j * kAngles.azimuth_nodes() + k];
+            // Single-precision weights times angles of 100°; near the zenith acos loses hemisphere the
+            // digits.
+            EXPECT_NEAR(interpolated(weights, kSunNodes_deg), expected, 1e-4)
+                << hemisphere << " " << layer << " " << j;
           }
 }
 
@@ -137,16 +147,17 @@ TEST(SweepStencil, PlanesAreTheLimit) {
   const ShellGeometry shells(kLevels_km, planet_km);
   const SweepStencil stencil(shells, kAngles, kSunNodes_deg);
   EXPECT_EQ(stencil.chord_nodes(), 0);
-  for (const Hemisphere half : {kDown, kUp})
+  for (const Hemisphere hemisphere : {kDown, kUp})
     for (int layer = 0; layer < shells.layers(); ++layer)
       for (int j = 0; j < kAngles.polar_nodes(); ++j) {
         const double alpha = kAngles.cos_polar()[static_cast<std::size_t>(j)];
         const double expected = (shells.level_km(layer + 1) - shells.level_km(layer)) / alpha;
         // Δh/(2 R μ²), 2e-4 for 80 km at the lowest node (1.7e-4), and single precision.
-        EXPECT_NEAR(stencil.polar(half, layer, j).length_km / expected, 1.0,
+        EXPECT_NEAR(stencil.polar(hemisphere, layer, j).length_km / expected, 1.0,
                     80.0 / (planet_km * alpha * alpha) + 1e-7);
-        EXPECT_NEAR(at_taps(stencil.sun(half, layer, 8)[j * kAngles.azimuth_nodes()], kSunNodes_deg), 80.0,
-                    1e-5);
+        EXPECT_NEAR(
+            interpolated(stencil.sun(hemisphere, layer, 8)[j * kAngles.azimuth_nodes()], kSunNodes_deg), 80.0,
+            1e-5);
       }
 }
 

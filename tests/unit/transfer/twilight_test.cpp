@@ -55,9 +55,9 @@ TEST(Twilight, SmoothAndDarkening) {
   const OpticalColumn columns[] = {rayleigh(), hazy()};
   const SkyRequest request{kObservers_km, suns, kViews};
   TransferOptions fine;
-  fine.limits = limits_of(Quality::reference);
+  fine.discretisation = discretisation_of(Quality::reference);
   const SkyRadiance sky = test::solve(test::earth(), columns, request);
-  const SkyRadiance reference = solve_sky_radiance(test::earth(), columns, request, fine);
+  const SkyRadiance reference = solve_sky_radiance(test::context, test::earth(), columns, request, fine);
   for (std::size_t c = 0; c < 2; ++c)
     for (std::size_t o = 0; o < kObservers_km.size(); ++o)
       for (std::size_t v = 0; v < kViews.size(); ++v) {
@@ -77,6 +77,31 @@ TEST(Twilight, SmoothAndDarkening) {
           }
         }
       }
+}
+
+// A low top of the atmosphere lies in the earth's shadow from a sun of 93° on: between sun nodes with some
+// light and nodes with none, interpolation must not end below zero.
+TEST(Twilight, NightIsNotNegative) {
+  for (const double top_km : {5.0, 10.0, 20.0})
+    for (const Quality quality : {Quality::draft, Quality::standard}) {
+      const Shells shells{{0.0, top_km}, 6371.0};
+      const OpticalColumn column{{0.21},
+                                 {{std::make_shared<const RayleighPhaseFunction>(), {0.1}},
+                                  {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.7), {0.09}}},
+                                 0.2};
+      SkyRequest request{
+          {0.0, top_km}, {}, {{0.0, 0.0}, {60.0, 0.0}, {60.0, 180.0}, {89.0, 90.0}, {120.0, 0.0}}};
+      for (double sun = 90.0; sun <= 96.0; sun += 0.25) request.sun_zeniths_deg.push_back(sun);
+      TransferOptions options;
+      options.discretisation = discretisation_of(quality);
+      const SkyRadiance sky =
+          solve_sky_radiance(test::context, shells, std::span(&column, 1), request, options);
+      for (std::size_t o = 0; o < 2; ++o)
+        for (std::size_t s = 0; s < request.sun_zeniths_deg.size(); ++s)
+          for (std::size_t v = 0; v < request.views.size(); ++v)
+            EXPECT_GE(sky.at(0, o, s, v), 0.0f)
+                << top_km << " km " << o << " " << request.sun_zeniths_deg[s] << " " << v;
+    }
 }
 
 }  // namespace

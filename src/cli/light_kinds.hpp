@@ -1,0 +1,41 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "options/kind.hpp"
+#include "skylut/core/directions.hpp"
+#include "skylut/core/domain.hpp"
+#include "skylut/core/wavelength_grid.hpp"
+#include "skylut/site/sun.hpp"
+
+/// Directions, places, times and wavelengths on the command line.
+namespace skylut::cli {
+
+/// Degrees clockwise from north; any turn is brought to [0, 360).
+Kind<double> azimuth();
+
+/// Suns "Z:A", zenith angle and azimuth in degrees, separated by commas.
+Kind<std::vector<Direction>> suns();
+
+/// Views "Z:A" as suns(), the azimuth counted from the sun's and folded to [0, 180].
+Kind<std::vector<RelativeView>> relative_views();
+
+/// Decimal degrees, or degrees, minutes and seconds.
+Kind<double> latitude();
+Kind<double> longitude();
+
+/// A moment with its zone; a day.
+Kind<UtcTime> time_of_day();
+Kind<UtcTime> day();
+
+/// A number within 0 to 1, or a name or file. Numbers are brought to their fewest digits.
+Kind<std::string> albedo();
+
+/// LO:HI:STEP in nm.
+Kind<WavelengthGrid> wavelengths();
+
+/// A refractive index "RE,IM"; IM > 0 absorbs.
+Kind<std::complex<double>> refractive_index();
+
+}  // namespace skylut::cli

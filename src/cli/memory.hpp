@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+/// Requests that cannot fit the machine are refused before the work. [docs/performance.md]
+namespace skylut::cli {
+
+/// How many of each thing a request for skies asks for, with the option that says so.
+struct RequestSize {
+  double directions = 1;
+  double wavelengths = 1;
+  double turbidities = 1;
+  double altitudes = 1;
+  double suns = 1;
+  bool spectral_file = false;  ///< a file with every wavelength is made in memory
+};
+
+/// About how much memory the simulation of it holds at the same time, bytes.
+double needed_bytes(const RequestSize& size);
+
+/// What this process may use: the machine's memory, or less if a limit (ulimit -v, a control group) is set.
+double available_bytes();
+
+/// Refuses skies that do not fit, naming the list that is longest for what it costs and how much of it fits.
+/// @throws InputError
+void require_memory(const RequestSize& size);
+
+/// The same for a picture. @throws InputError  naming --size and a size that fits
+void require_memory_for_picture(int height, const RequestSize& size_of_rest);
+
+}  // namespace skylut::cli

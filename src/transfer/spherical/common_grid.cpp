@@ -1,0 +1,37 @@
+#include "common_grid.hpp"
+
+namespace skylut::transfer {
+
+// Dense at the terminator, where it changes by
+// orders of magnitude, and beyond the largest sun by what a horizontal ray can cover (√(2·100/6371) = 10°).
+std::vector<double> sun_nodes(int density) {
+  if (density == 0)
+    return {0,  10,   20, 30,   40, 50,   58, 65, 70, 74,    77,   80,    82, 84, 85.5, 87, 88,
+            89, 89.5, 90, 90.5, 91, 91.5, 92, 93, 94, 94.75, 95.5, 96.25, 97, 99, 101,  104};
+  // Ranges by their ends and the step within; whole fractions of the steps keep the nodes exact.
+  struct Range {
+    double first;
+    double last;
+    double step;
+  };
+  std::vector<double> nodes;
+  for (const Range& range :
+       {Range{0.0, 70.0, 5.0}, Range{70.0, 84.0, 1.0}, Range{84.0, 98.0, 0.5}, Range{98.0, 107.0, 1.0}}) {
+    const double step = range.step / density;
+    const int count = static_cast<int>((range.last - range.first) / step + 0.5);
+    for (int i = 0; i < count; ++i) nodes.push_back(range.first + i * step);
+  }
+  nodes.push_back(107.0);
+  return nodes;
+}
+
+CommonGrid::CommonGrid(const Shells& shells_, const DiscretisationOptions& discretisation_)
+    : discretisation(discretisation_),
+      shells(shells_),
+      layers(shells.levels_km, shells.planet_radius_km),
+      merge(shells, !discretisation.merge_layers),
+      slant_depth(layers),
+      sun_nodes_deg(sun_nodes(discretisation.sun_node_density)),
+      sun_interpolation(sun_nodes_deg) {}
+
+}  // namespace skylut::transfer

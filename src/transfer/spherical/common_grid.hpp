@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "interpolation.hpp"
+#include "layer_merge.hpp"
+#include "shell_geometry.hpp"
+#include "skylut/scattering/optical_column.hpp"
+#include "skylut/transfer/quality.hpp"
+#include "slant_depth_grid.hpp"
+
+namespace skylut::transfer {
+
+/// Local solar zenith angles, in degrees, that carry the diffuse field; density as in DiscretisationOptions.
+std::vector<double> sun_nodes(int density);
+
+/// What all columns of a request share: the layers, and the suns among which the field is interpolated.
+struct CommonGrid {
+  CommonGrid(const Shells& shells, const DiscretisationOptions& discretisation);
+  CommonGrid(const CommonGrid&) = delete;
+  CommonGrid& operator=(const CommonGrid&) = delete;
+
+  DiscretisationOptions discretisation;
+  Shells shells;         ///< the layers, homogeneous
+  ShellGeometry layers;  ///< the same
+  LayerMerge merge;      ///< the sweep's layers, merged
+  SlantDepthGrid slant_depth;
+  std::vector<double> sun_nodes_deg;     ///< local solar zenith angles that carry the diffuse field
+  CubicInterpolation sun_interpolation;  ///< among them
+};
+
+}  // namespace skylut::transfer

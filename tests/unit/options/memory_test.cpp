@@ -1,0 +1,45 @@
+#include "cli/memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "skylut/core/errors.hpp"
+
+namespace skylut::cli {
+namespace {
+
+std::string refusal(const RequestSize& size) {
+  try {
+    require_memory(size);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "fits";
+}
+
+TEST(Memory, APictureNeedsAsMuchAsWasMeasured) {
+  // Peaks of `skylut map --size N`, rgb, 81 wavelengths, less the 20 MB of the program: 790 B a pixel.
+  const double per_pixel = needed_bytes({2.0 * 1024 * 1024, 81}) / (2.0 * 1024 * 1024);
+  EXPECT_GT(per_pixel, 700.0);
+  EXPECT_LT(per_pixel, 1100.0);
+}
+
+TEST(Memory, GrowsWithEveryList) {
+  const RequestSize one{271, 81, 1, 1, 1};
+  for (const auto& list : {&RequestSize::directions, &RequestSize::wavelengths, &RequestSize::turbidities,
+                           &RequestSize::altitudes, &RequestSize::suns}) {
+    RequestSize more = one;
+    more.*list *= 2.0;
+    EXPECT_GT(needed_bytes(more), needed_bytes(one));
+  }
+}
+
+TEST(Memory, TheDefaultTableFits) { EXPECT_EQ(refusal({271, 81, 3, 5, 5}), "fits"); }
+
+TEST(Memory, NamesTheListAndWhatFits) {
+  const std::string text = refusal({271, 81, 1e9, 5, 5});
+  EXPECT_TRUE(text.starts_with("--turbidities: 1000000000 values: needs about ")) << text;
+  EXPECT_NE(text.find(" fit"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace skylut::cli
