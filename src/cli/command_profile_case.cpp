@@ -36,6 +36,7 @@ void run(const CaseOptions& options, const std::string& command_line) {
   request.wavelength_nm = *options.wavelength_nm;
   if (options.absorption_term) request.absorption_term = static_cast<int>(*options.absorption_term);
   const Atmosphere air = build_atmosphere(context, options.air.atmosphere(options.name));
+  advise_on_profile(context, air.profile());
   const Turbidity turbidity{options.air.turbidity_kind(), options.turbidity};
   advise_on_turbidity({&turbidity, 1}, air);
   request.aod500 = to_aod500(turbidity, air);

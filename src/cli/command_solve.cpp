@@ -93,9 +93,7 @@ Command solve_command() {
   set.add("--orders", arguments->orders, whole_number(domain::kScatteringOrders),
           "highest order of scattering; 0: all");
   arguments->computing.add_to(set);
-  command.run = [arguments](const OptionSet& given) {
-    run(*arguments, given.command_line("skylut solve"));
-  };
+  command.run = [arguments](const OptionSet& given) { run(*arguments, given.command_line("skylut solve")); };
   return command;
 }
 

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "skylut/core/provenance.hpp"
 #include "skylut/colour/yxy.hpp"
 #include "skylut/compare/metrics.hpp"
+#include "skylut/core/provenance.hpp"
 #include "skylut/models/perez.hpp"
 
 namespace skylut {
