@@ -33,6 +33,12 @@ void advise_on_turbidity(std::span<const Turbidity> turbidities, const Atmospher
   }
 }
 
+void advise_on_profile(const Context& context, const Profile& profile) {
+  const bool ours = std::filesystem::path(profile.file).parent_path() == context.data_folder;
+  if (ours) return;
+  for (const std::string& note : profile.notes) warn("profile {}: {}", profile.name, note);
+}
+
 void advise_on_wavelengths(const Context& context, const WavelengthGrid& wavelengths) {
   const auto [first_nm, last_nm] = covered_nm(wavelengths);
   const double part = ColourMatching::load(context).part_of_vision(first_nm, last_nm);
