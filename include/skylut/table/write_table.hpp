@@ -9,8 +9,8 @@
 
 namespace skylut {
 
-/// Writes table.csv, then table.json, which holds its hash: each whole or not at all, and a table.json that
-/// does not belong to the table.csv beside it is refused by Table::read.
+/// Writes table.csv and table.json, which holds its hash: both whole or neither. A table.json that does not
+/// belong to the table.csv beside it is refused by Table::read.
 /// @param folder      exists
 /// @param directions  that every map was sampled in
 /// @throws WorkError  naming the file that cannot be written
