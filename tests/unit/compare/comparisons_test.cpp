@@ -31,7 +31,9 @@ TableEntry preetham_entry(double altitude_km, double T, const Direction& sun, do
   return entry;
 }
 
-nlohmann::json rows_of(const CompareReport& report) { return nlohmann::json::parse(report.json(Provenance()))["rows"]; }
+nlohmann::json rows_of(const CompareReport& report) {
+  return nlohmann::json::parse(report.json(Provenance()))["rows"];
+}
 
 TEST(Comparisons, ATableOfThePublishedModelDiffersByWhatWasPutIn) {
   const Table table({preetham_entry(0.0, kT, {45.0, 90.0}, 1.1), preetham_entry(0.0, kT, {95.0, 90.0}, 1.0),
