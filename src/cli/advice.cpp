@@ -2,6 +2,7 @@
 
 #include "output.hpp"
 #include "skylut/colour/cie1931.hpp"
+#include "skylut/core/context.hpp"
 
 namespace skylut::cli {
 

@@ -55,7 +55,8 @@ class Fit(unittest.TestCase):
         answer = json.loads(self.work.succeed("fit", "sky.csv", "--json"))
         self.assertEqual(answer["Y"]["termination"], "converged")
         self.assertTrue(answer["Y"]["at_bound"]["B"])
-        self.assertAlmostEqual(answer["Y"]["rmse"], 0.306378, delta=1e-6)  # 0.307 by differential evolution (SciPy)
+        # What Levenberg-Marquardt alone creeps up to without arriving (0.30017).
+        self.assertAlmostEqual(answer["Y"]["rmse"], 0.300169, delta=1e-6)
 
     def test_a_sky_of_the_formula_is_found(self):
         self.work.write("sky.csv", clear_sky(zenith_reads=1.0))

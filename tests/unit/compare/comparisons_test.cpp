@@ -7,6 +7,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/models/preetham1999.hpp"
+#include "skylut/models/utm2005.hpp"
 #include "support/test_context.hpp"
 
 namespace skylut {
@@ -85,16 +86,18 @@ TEST(Comparisons, CsvIsRectangular) {
 }
 
 TEST(Comparisons, Utm2005FindsTheSameRow) {
-  const Table table({preetham_entry(0.0, 0.5, {45.0, 90.0}, 1.0)});
-  std::size_t found = 0;
-  for (const auto& row : rows_of(compare_table(test::context, table, "utm2005"))) {
-    const bool same = row["altitude_km"] == 0.0 && row["turbidity"] == 0.5 && row["sun_zenith_deg"] == 45.0 &&
-                      row["sun_azimuth_deg"] == 90.0;
-    EXPECT_EQ(row["A_Y"].is_number(), same);
-    EXPECT_TRUE(row["A_utm2005"].is_number());
-    found += same ? 1 : 0;
+  const Utm2005Row published = load_utm2005(test::context).back();
+  TableEntry ours = preetham_entry(published.altitude_km, kT, published.sun, 1.0);
+  ours.turbidity = published.turbidity;
+  const auto rows = rows_of(compare_table(test::context, Table({ours}), "utm2005"));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool same = i + 1 == rows.size();
+    EXPECT_EQ(rows[i]["A_Y"].is_number(), same) << i;
+    EXPECT_EQ(rows[i]["Y_zenith_kcd_m2"].is_number(), same) << i;
+    EXPECT_TRUE(rows[i]["A_utm2005"].is_number());
   }
-  EXPECT_EQ(found, 1u);
+  EXPECT_EQ(rows.back()["A_Y"], ours.Y.A);
+  EXPECT_EQ(rows.back()["A_utm2005"], published.coefficients.A);
 }
 
 TEST(Comparisons, RefusesWhatCannotBeCompared) {
