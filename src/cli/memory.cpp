@@ -23,7 +23,9 @@ constexpr double kColumnsPerBand = 1.3;  // where lines absorb a band has severa
 constexpr double kPictureChannels = 3.0 * 4.0;
 constexpr double kUsable = 0.9;  // the rest is the program's and the system's
 
-std::string gigabytes(double bytes) { return fmt::format("{:.2g} GB", bytes * 1e-9); }
+std::string gigabytes(double bytes) {
+  return bytes < 1e10 ? fmt::format("{:.1f} GB", bytes * 1e-9) : fmt::format("{:.0f} GB", bytes * 1e-9);
+}
 
 std::string refusal(double needed, double available) {
   return fmt::format("needs about {} of memory, {} may be used here", gigabytes(needed),
@@ -54,13 +56,14 @@ void require_memory(const RequestSize& size) {
   const double available = available_bytes();
   const double needed = needed_bytes(size);
   if (needed <= available) return;
-  // The longest list is the one to shorten.
-  const std::vector<std::pair<double RequestSize::*, const char*>> lists{
-      {&RequestSize::directions, "--directions"},
+  // The longest list is the one to shorten. Only a single map chooses its directions.
+  std::vector<std::pair<double RequestSize::*, const char*>> lists{
       {&RequestSize::turbidities, "--turbidities"},
       {&RequestSize::suns, "--suns"},
       {&RequestSize::wavelengths, "--wavelengths-nm"},
       {&RequestSize::altitudes, "--altitudes-km"}};
+  if (size.turbidities * size.suns * size.altitudes == 1.0)
+    lists.emplace_back(&RequestSize::directions, "--directions");
   const auto longest = *std::max_element(lists.begin(), lists.end(), [&](const auto& a, const auto& b) {
     return size.*a.first < size.*b.first;
   });
