@@ -13,6 +13,8 @@ target_compile_options(skylut_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wconversion -Wsign-conversion
   $<$<NOT:$<BOOL:$<TARGET_PROPERTY:SKYLUT_PROMOTES>>>:-Wdouble-promotion> $<$<BOOL:${SKYLUT_WERROR}>:-Werror>)
 target_compile_options(skylut_compile_options INTERFACE
+  # GCC 12 sees overlapping copies in "text" + std::string where there are none (GCC bug 105651).
+  -Wno-restrict
   # Results must not depend on the machine: no contraction of a*b+c into fused operations.
   -ffp-contract=off
   # Position-independent functions may be inlined like others: nobody replaces one at load time.

@@ -2,6 +2,7 @@
 
 #include "output.hpp"
 #include "skylut/colour/cie1931.hpp"
+#include "skylut/core/context.hpp"
 
 namespace skylut::cli {
 
@@ -31,6 +32,12 @@ void advise_on_turbidity(std::span<const Turbidity> turbidities, const Atmospher
         from_aod500(aod500, TurbidityKind::visibility_km, air));
     return;
   }
+}
+
+void advise_on_profile(const Context& context, const Profile& profile) {
+  const bool ours = std::filesystem::path(profile.file).parent_path() == context.data_folder;
+  if (ours) return;
+  for (const std::string& note : profile.notes) warn("profile {}: {}", profile.name, note);
 }
 
 void advise_on_wavelengths(const Context& context, const WavelengthGrid& wavelengths) {

@@ -14,6 +14,9 @@ inline constexpr double kThickAir_aod500 = 1.5;
 /// are often typed for it.
 void advise_on_turbidity(std::span<const Turbidity> turbidities, const Atmosphere& air);
 
+/// Says what was done to a user's profile that its author may not expect (Profile::notes).
+void advise_on_profile(const Context& context, const Profile& profile);
+
 /// Says how much of the eye's sensitivity the wavelengths cover, if that is less than 99 %.
 void advise_on_wavelengths(const Context& context, const WavelengthGrid& wavelengths);
 

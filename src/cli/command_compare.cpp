@@ -1,16 +1,18 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "options/file_kinds.hpp"
 #include "output.hpp"
+#include "program_context.hpp"
 #include "scene_options.hpp"
-#include "skylut/compare/compare_report.hpp"
-#include "skylut/table/table_csv.hpp"
-#include "skylut/table/table_turbidity.hpp"
+#include "skylut/compare/comparisons.hpp"
 
 namespace skylut::cli {
 
@@ -18,28 +20,37 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class Published { preetham1999, utm2005 };
-
 struct CompareOptions {
   fs::path table;
   fs::path out;
-  std::optional<Published> against;
+  std::string against;
   std::optional<TurbidityKind> kind;
   bool json = false;
 };
 
-void run(const CompareOptions& options) {
-  const fs::path csv = fs::is_directory(options.table) ? options.table / "table.csv" : options.table;
-  const std::vector<TableEntry> entries = read_table_csv(csv);
-  std::optional<std::string> kind;
-  if (options.kind) kind = turbidity_kind_name(*options.kind);
+// The files that make a table.
+std::vector<fs::path> files_of_table(const fs::path& table) {
+  if (!fs::is_directory(table)) return {table};
+  return {table / "table.csv", table / "table.json"};
+}
+
+// Each name stands for itself.
+Kind<std::string> comparison_kind() {
+  std::vector<std::pair<std::string, std::string>> choices;
+  for (const std::string& name : comparison_names()) choices.emplace_back(name, name);
+  return choice<std::string>(choices);
+}
+
+void run(const CompareOptions& options, const std::string& command_line) {
+  const Context context = program_context();
   const CompareReport report =
-      options.against == Published::utm2005
-          ? compare_with_utm2005(program_context(), entries)
-          : compare_with_preetham1999(entries, TableTurbidity(csv.parent_path() / "table.json", kind));
-  if (!options.out.empty()) write_result(options.out, report.csv());
+      compare_table(context, Table::read(options.table, options.kind), options.against);
+  Provenance provenance(command_line);
+  for (const fs::path& file : files_of_table(options.table))
+    if (fs::exists(file)) provenance.add_source(context, file);
+  if (!options.out.empty()) write_result(options.out, report.csv(provenance));
   if (options.json)
-    fmt::print("{}", report.json());
+    fmt::print("{}", report.json(provenance));
   else if (!is_standard_output(options.out))
     fmt::print("{}", report.text());
   if (!options.out.empty() && !options.json && !is_standard_output(options.out))
@@ -61,15 +72,17 @@ Command compare_command() {
   OptionSet& set = command.options;
   set.add("TABLE", options->table, file_in("DIR|FILE"), "folder of a table, or its table.csv").required =
       true;
-  set.add("--against", options->against,
-          choice<Published>({{"preetham1999", Published::preetham1999}, {"utm2005", Published::utm2005}}),
-          "preetham1999 or utm2005")
-      .required = true;
+  Option& against = set.add("--against", options->against, comparison_kind(),
+                            fmt::format("{}", fmt::join(comparison_names(), " or ")));
+  against.required = true;
+  against.default_text.clear();
   set.add("--turbidity-kind", options->kind, turbidity_kind_by_name(),
-          "of the table, if it has no table.json: aod500, aod550, angstrom-beta or preetham-t");
+          "of the table, if it has no table.json");
   set.add_flag("--json", options->json, "print the comparison as JSON");
-  set.add("--output", options->out, file_out(), "CSV file for the comparison").short_name = "-o";
-  command.run = [options](const OptionSet&) { run(*options); };
+  Option& out = set.add("--output", options->out, file_out(), "CSV file for the comparison");
+  out.short_name = "-o";
+  out.recorded = false;
+  command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut compare")); };
   return command;
 }
 

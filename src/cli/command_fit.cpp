@@ -12,6 +12,7 @@
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
+#include "program_context.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/report/fit_report.hpp"
 #include "weights_kind.hpp"
@@ -98,12 +99,16 @@ FittedSky fitted(const FitArguments& options) {
   return input;
 }
 
-void run(const FitArguments& options) {
+void run(const FitArguments& options, const std::string& command_line) {
   const FittedSky sky = fitted(options);
-  if (options.out) write_result(*options.out, fit_json(sky));
-  if (options.out && is_standard_output(*options.out)) return;
-  fmt::print("{}", options.json ? fit_json(sky) : fit_text(sky));
-  if (options.out && !options.json) fmt::print("\nwrote {}\n", options.out->string());
+  Provenance provenance(command_line);
+  provenance.add_source(program_context(), options.file);
+  if (options.out) write_result(*options.out, fit_json(sky, provenance));
+  if (!options.out || !is_standard_output(*options.out)) {
+    fmt::print("{}", options.json ? fit_json(sky, provenance) : fit_text(sky));
+    if (options.out && !options.json) fmt::print("\nwrote {}\n", options.out->string());
+  }
+  require_converged(sky.fit);
 }
 
 }  // namespace
@@ -125,8 +130,10 @@ Command fit_command() {
   set.add("--sun-azimuth-deg", options->sun_azimuth_deg, azimuth(), "of the sun, clockwise from north");
   set.add("--weights", options->weights, weights_kind(), "of the directions: uniform or solid-angle");
   set.add_flag("--json", options->json, "print the result as JSON");
-  set.add("--output", options->out, file_out(), "file for the result as JSON").short_name = "-o";
-  command.run = [options](const OptionSet&) { run(*options); };
+  Option& out = set.add("--output", options->out, file_out(), "file for the result as JSON");
+  out.short_name = "-o";
+  out.recorded = false;
+  command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut fit")); };
   return command;
 }
 

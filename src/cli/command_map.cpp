@@ -87,6 +87,13 @@ SkyMap simulate(const Context& context, const MapOptions& options, const SkyScen
   return simulate_sky(context, scene, options.scene.transfer()).front();
 }
 
+Provenance provenance_of(const Context& context, const MapOptions& options, const SkyScene& scene,
+                         const SkyMap& map, const std::string& command) {
+  Provenance provenance = options.scene.provenance(context, scene, command);
+  provenance.set_instruction_set(map.instruction_set);
+  return provenance;
+}
+
 void print_facts(const SkyMap& map, const SkyScene& scene) {
   const auto darker = [](const Yxy& a, const Yxy& b) { return a.Y < b.Y; };
   const auto [darkest, brightest] = std::minmax_element(map.colour.begin(), map.colour.end(), darker);
@@ -103,7 +110,7 @@ void write_csv(const Context& context, const MapOptions& options, SkyScene scene
   require_writable("-o", options.out);
   require_memory(size_of(scene));
   const SkyMap map = simulate(context, options, scene);
-  write_text_atomically(options.out, sky_csv(map, options.scene.provenance(context, scene, command)));
+  write_text_atomically(options.out, sky_csv(map, provenance_of(context, options, scene, map, command)));
   print_facts(map, scene);
   fmt::print("wrote {}\n", options.out.string());
 }
@@ -120,7 +127,7 @@ void write_exr(const Context& context, const MapOptions& options, SkyScene scene
   scene.directions = projection->directions();
   scene.directions_name = projection->name();
   const SkyMap map = simulate(context, options, scene);
-  const Provenance provenance = options.scene.provenance(context, scene, command);
+  const Provenance provenance = provenance_of(context, options, scene, map, command);
   for (const SkyChannels kind : channels)
     write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind, provenance);
   print_facts(map, scene);

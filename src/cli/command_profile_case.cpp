@@ -36,11 +36,15 @@ void run(const CaseOptions& options, const std::string& command_line) {
   request.wavelength_nm = *options.wavelength_nm;
   if (options.absorption_term) request.absorption_term = static_cast<int>(*options.absorption_term);
   const Atmosphere air = build_atmosphere(context, options.air.atmosphere(options.name));
+  advise_on_profile(context, air.profile());
   const Turbidity turbidity{options.air.turbidity_kind(), options.turbidity};
   advise_on_turbidity({&turbidity, 1}, air);
   request.aod500 = to_aod500(turbidity, air);
   nlohmann::ordered_json document = optical_case(air, request);
   document["command"] = command_line;
+  Provenance provenance(command_line);
+  describe_into(context, air, provenance);
+  document["provenance"] = provenance.json();
   if (options.out) write_result(*options.out, document.dump(1) + "\n");
   if (options.out && is_standard_output(*options.out)) return;
   fmt::print("{}", case_text(document));

@@ -8,12 +8,16 @@
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
+#include "program_context.hpp"
 #include "scene_options.hpp"
 #include "skylut/cases/solve_case.hpp"
 #include "skylut/core/json_reader.hpp"
+#include "skylut/core/provenance.hpp"
 #include "skylut/report/case_report.hpp"
 
 namespace skylut::cli {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -40,10 +44,15 @@ SolveOptions solve_options(const SolveArguments& arguments) {
   return options;
 }
 
-void run(const SolveArguments& arguments) {
+void run(const SolveArguments& arguments, const std::string& command_line) {
   const SolveOptions options = solve_options(arguments);
-  const nlohmann::ordered_json answer = solve_case(program_context(arguments.computing),
-                                                   read_json_file(arguments.input), arguments.input, options);
+  const Context context = program_context(arguments.computing);
+  nlohmann::ordered_json answer =
+      solve_case(context, read_json_file(arguments.input), arguments.input, options);
+  Provenance provenance(command_line);
+  if (fs::is_regular_file(arguments.input)) provenance.add_source(context, arguments.input);
+  if (answer.contains("instruction_set")) provenance.set_instruction_set(answer["instruction_set"]);
+  answer["provenance"] = provenance.json();
   if (arguments.out) write_result(*arguments.out, answer.dump(1) + "\n");
   if (arguments.out && is_standard_output(*arguments.out)) return;
   fmt::print("{}", solved_case_text(answer));
@@ -84,7 +93,7 @@ Command solve_command() {
   set.add("--orders", arguments->orders, whole_number(domain::kScatteringOrders),
           "highest order of scattering; 0: all");
   arguments->computing.add_to(set);
-  command.run = [arguments](const OptionSet&) { run(*arguments); };
+  command.run = [arguments](const OptionSet& given) { run(*arguments, given.command_line("skylut solve")); };
   return command;
 }
 

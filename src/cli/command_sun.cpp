@@ -88,11 +88,11 @@ void run(SunOptions& options, const OptionSet& given) {
     return;
   }
   const bool json = ending_of(*options.out) == ".json";
-  const std::string method = model_kind().write(options.model);
-  write_text_atomically(*options.out, json ? sun_json(sun, scene, method,
-                                                      options.scene.provenance(
-                                                          context, scene, given.command_line("skylut sun")))
-                                           : sun_csv(sun));
+  Provenance provenance = options.scene.provenance(context, scene, given.command_line("skylut sun"));
+  provenance.set_instruction_set(sun.instruction_set);
+  write_text_atomically(
+      *options.out,
+      json ? sun_json(sun, scene, model_kind().write(options.model), provenance) : sun_csv(sun));
   print_facts(sun, scene);
   fmt::print("wrote {}\n", options.out->string());
 }

@@ -18,8 +18,7 @@
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/report/table_summary.hpp"
 #include "skylut/table/fit_table.hpp"
-#include "skylut/table/table_csv.hpp"
-#include "skylut/table/table_json.hpp"
+#include "skylut/table/write_table.hpp"
 #include "weights_kind.hpp"
 
 namespace skylut::cli {
@@ -104,15 +103,16 @@ void run(const TableOptions& options, const std::string& command_line) {
   create_folder(options.out);
   Provenance provenance = options.scene.provenance(context, scene, command_line);
   provenance.describe("weights", weights_kind().write(options.weights));
+  provenance.set_instruction_set(maps.front().instruction_set);
   if (options.save_maps) write_maps(options.out / "maps", maps, provenance);
-  write_text_atomically(options.out / "table.json", table_json(table, scene.directions, provenance));
-  write_table_csv(options.out / "table.csv", table.entries);
+  write_table(options.out, table, scene.directions, provenance);
 
   for (const Turbidity& turbidity : scene.turbidities)
     fmt::print("{}\n", turbidity_text(turbidity, *scene.atmosphere));
   fmt::print("\n{}", table_summary(table, std::string(turbidity_kind_name(scene.turbidities.front().kind))));
   fmt::print("wrote {} and table.json{}\n", (options.out / "table.csv").string(),
              options.save_maps ? fmt::format(", {} maps in maps", maps.size()) : "");
+  require_converged(table);
 }
 
 }  // namespace

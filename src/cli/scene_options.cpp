@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "advice.hpp"
 #include "light_kinds.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
@@ -74,6 +75,7 @@ SkyScene SceneOptions::scene(const Context& context) const {
   SkyScene scene;
   scene.wavelengths = wavelengths_;
   scene.atmosphere = std::make_shared<const Atmosphere>(build_atmosphere(context, air_.atmosphere(profile_)));
+  advise_on_profile(context, scene.atmosphere->profile());
   scene.place = air_.place();
   scene.solar = solar_;
   if (date_) scene.sun_distance_au = earth_sun_distance_au(*date_);

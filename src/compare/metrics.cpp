@@ -1,7 +1,6 @@
 #include "skylut/compare/metrics.hpp"
 
 #include <cmath>
-#include <vector>
 
 #include "skylut/core/errors.hpp"
 
@@ -28,17 +27,6 @@ SkyDifference difference(std::span<const Yxy> sky, std::span<const Yxy> referenc
           .rmse_x = std::sqrt(sum.rmse_x / count),
           .rmse_y = std::sqrt(sum.rmse_y / count),
           .mean_Y_rel = sum.mean_Y_rel / count};
-}
-
-SkyDifference difference(const SkyModel& sky, const SkyModel& reference, const Direction& sun,
-                         std::span<const Direction> views) {
-  std::vector<Yxy> ours;
-  std::vector<Yxy> theirs;
-  for (const Direction& view : views) {
-    ours.push_back(sky.sky(sun, view));
-    theirs.push_back(reference.sky(sun, view));
-  }
-  return difference(ours, theirs);
 }
 
 }  // namespace skylut

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <string>
 
 #include "core/unfinished_file.hpp"
@@ -48,17 +49,31 @@ void write_directly(const fs::path& path, int open_descriptor, std::string_view 
 
 }  // namespace
 
+void write_texts_atomically(std::span<const FileText> files) {
+  std::deque<UnfinishedFile> unfinished;
+  for (const auto& [path, text] : files) {
+    if (const int open_descriptor = descriptor_named(path); open_descriptor >= 0) {
+      write_directly(path, open_descriptor, text);
+      continue;
+    }
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status))
+      throw WorkError("{}: cannot write, a directory has that name", path.string());
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      write_directly(path, -1, text);
+      continue;
+    }
+    clear_leftovers(path);
+    unfinished.emplace_back(temporary_path(path), path).write(text);
+  }
+  for (UnfinishedFile& file : unfinished) file.flush();
+  for (UnfinishedFile& file : unfinished) file.rename_to_final();
+}
+
 void write_text_atomically(const fs::path& path, std::string_view text) {
-  const int open_descriptor = descriptor_named(path);
-  if (open_descriptor >= 0) return write_directly(path, open_descriptor, text);
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) throw WorkError("{}: cannot write, a directory has that name", path.string());
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, -1, text);
-  clear_leftovers(path);
-  UnfinishedFile file(temporary_path(path), path);
-  file.write(text);
-  file.rename_to_final();
+  const FileText file{path, text};
+  write_texts_atomically({&file, 1});
 }
 
 }  // namespace skylut

@@ -57,8 +57,8 @@ Json Provenance::json() const {
 }
 
 std::string Provenance::comment_lines() const {
-  // Comments of the form "# name=value" are read as values: the provenance is none of them, hence the colons and
-  // JSON's other way to write an equals sign.
+  // Comments of the form "# name=value" are read as values: the provenance is none of them, hence the colons
+  // and JSON's other way to write an equals sign.
   std::string compact;
   for (const char character : json().dump())
     compact += character == '=' ? std::string("\\u003d") : std::string(1, character);

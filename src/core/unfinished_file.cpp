@@ -119,8 +119,11 @@ UnfinishedFile::~UnfinishedFile() {
 
 void UnfinishedFile::write(std::string_view text) { write_all(descriptor_, text, final_path_); }
 
-void UnfinishedFile::rename_to_final() {
+void UnfinishedFile::flush() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(final_path_, errno);
+}
+
+void UnfinishedFile::rename_to_final() {
   if (::rename(path_.c_str(), final_path_.c_str()) != 0) fail(final_path_, errno);
   renamed_ = true;
   // The new name reaches the disk with its folder; a file system that cannot flush one has the file all the

@@ -21,7 +21,9 @@ class UnfinishedFile {
 
   /// @throws WorkError
   void write(std::string_view text);
-  /// Flushes to the disk, gives the file its final name and flushes the folder. @throws WorkError
+  /// To the disk. @throws WorkError
+  void flush();
+  /// Gives the flushed file its final name and flushes the folder. @throws WorkError
   void rename_to_final();
 
  private:

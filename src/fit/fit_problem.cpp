@@ -98,7 +98,7 @@ FitProblem make_fit_problem(std::span<const SkySample> samples, double sun_zenit
     const Observation& one = problem.observations[i - 1];
     const Observation& next = problem.observations[i];
     if (one.secant_excess == next.secant_excess && next.gamma_rad - one.gamma_rad > kSameAngle_rad)
-      problem.tells_factors_apart = true;
+      problem.separable = true;
   }
   return problem;
 }

@@ -27,7 +27,7 @@ struct FitProblem {
   /// Whether some zenith angle is seen at more than one angle to the sun. If not (sun at the zenith, a scan
   /// along a meridian), γ is a function of θ, and nothing but the shape of the formula tells its two factors
   /// apart.
-  bool tells_factors_apart = false;
+  bool separable = false;
 };
 
 /// @throws InputError  as fit_perez does

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
@@ -87,6 +88,22 @@ SkyFit fit_sky(std::span<const Direction> views, std::span<const Yxy> sky, const
   for (const Direction& view : views)
     relative.push_back({view.zenith_deg * kRadiansPerDegree, angle_between(view, sun)});
   return fit_sky(relative, sky, sun.zenith_deg * kRadiansPerDegree, options);
+}
+
+std::string unconverged_channels(const SkyFit& fit) {
+  std::string names;
+  for (const auto& [name, report] :
+       {std::pair{"Y", &fit.Y}, std::pair{"x", &fit.x}, std::pair{"y", &fit.y}}) {
+    if (report->termination == Termination::converged) continue;
+    if (!names.empty()) names += ", ";
+    names += name;
+  }
+  return names;
+}
+
+void require_converged(const SkyFit& fit) {
+  if (const std::string channels = unconverged_channels(fit); !channels.empty())
+    throw WorkError("the fit of {} did not converge: its coefficients are not those of a minimum", channels);
 }
 
 }  // namespace skylut

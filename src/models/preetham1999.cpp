@@ -27,11 +27,6 @@ constexpr std::array<Cubic, 3> kZenith_y{{{0.0028, -0.0061, 0.0032, 0.000},
                                           {-0.0421, 0.0897, -0.0415, 0.0052},
                                           {0.1535, -0.2676, 0.0667, 0.2669}}};
 
-void check_above_horizon(const char* what, const Direction& direction) {
-  if (!(direction.zenith_deg >= 0.0 && direction.zenith_deg <= 90.0))
-    throw InputError("Preetham 1999: {} zenith angle {}°: must lie within 0-90°", what, direction.zenith_deg);
-}
-
 }  // namespace
 
 Yxy preetham1999_zenith_kcd_m2(double turbidity, double sun_zenith_rad) {
@@ -42,28 +37,31 @@ Yxy preetham1999_zenith_kcd_m2(double turbidity, double sun_zenith_rad) {
           zenith_chromaticity(kZenith_y, T, sun_zenith_rad)};
 }
 
-Yxy preetham1999(double turbidity, const Direction& sun, const Direction& view) {
-  const double sun_zenith = sun.zenith_deg * kRadiansPerDegree;
-  const PerezYxy k = preetham1999_coefficients(turbidity);
-  Yxy zenith = preetham1999_zenith_kcd_m2(turbidity, sun_zenith);
+const ModelInfo& Preetham1999::info() const {
+  static const ModelInfo info{.name = "preetham1999",
+                              .title = "Preetham, Shirley, Smits 1999",
+                              .source = "doi:10.1145/311535.311545",
+                              .quantities = "Y, x, y",
+                              .altitude_km = {0.0, 0.0, "km"},
+                              .turbidity_kind = TurbidityKind::preetham_t,
+                              .turbidity = {2.0, 6.0, ""},
+                              .sun_zenith_deg = {0.0, 90.0, "deg"},
+                              .view_zenith_deg = {0.0, 90.0, "deg"}};
+  return info;
+}
+
+std::unique_ptr<const Sky> Preetham1999::at(const SkyConditions& conditions) const {
+  const double T = conditions.turbidity.value;
+  if (conditions.turbidity.kind != info().turbidity_kind)
+    throw InputError("Preetham 1999: turbidity of kind {}: must be preetham-t",
+                     turbidity_kind_name(conditions.turbidity.kind));
+  if (!(T >= 1.0) || !std::isfinite(T))
+    throw InputError("Preetham 1999: turbidity T = {}: must be at least 1", T);
+  require_within("Preetham 1999: altitude", conditions.altitude_km, info().altitude_km);
+  require_within("Preetham 1999: sun zenith angle", conditions.sun.zenith_deg, info().sun_zenith_deg);
+  Yxy zenith = preetham1999_zenith_kcd_m2(T, conditions.sun.zenith_deg * kRadiansPerDegree);
   zenith.Y *= 1000.0;
-  return perez_sky(k.Y, k.x, k.y, zenith, view.zenith_deg * kRadiansPerDegree, angle_between(view, sun),
-                   sun_zenith);
-}
-
-Preetham1999::Preetham1999(double turbidity) : turbidity_(turbidity) {
-  if (!(turbidity >= 1.0) || !std::isfinite(turbidity))
-    throw InputError("Preetham 1999: turbidity T = {}: must be at least 1", turbidity);
-}
-
-Yxy Preetham1999::sky(const Direction& sun, const Direction& view) const {
-  check_above_horizon("sun", sun);
-  check_above_horizon("view", view);
-  if (view.zenith_deg == 90.0 && preetham1999_coefficients(turbidity_).Y.B >= 0.0)
-    throw InputError(
-        "Preetham 1999: turbidity T = {}: must be above 1.203 for a view at the horizon, infinite below",
-        turbidity_);
-  return preetham1999(turbidity_, sun, view);
+  return std::make_unique<const PerezSky>(preetham1999_coefficients(T), zenith, conditions.sun);
 }
 
 }  // namespace skylut

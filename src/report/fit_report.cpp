@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "skylut/core/constants.hpp"
+#include "skylut/fit/fit_report_json.hpp"
 
 namespace skylut {
 
@@ -14,37 +15,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity: an error that the data do not limit is null.
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json channel_json(const FitReport& report, const FittedSky& fitted) {
-  const std::array<double, 5> values = report.coefficients.values();
-  Json coefficients = Json::object();
-  Json errors = Json::object();
-  Json determined = Json::object();
-  Json at_bound = Json::object();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    coefficients[kPerezNames[i]] = values[i];
-    errors[kPerezNames[i]] = finite_or_null(report.standard_error[i]);
-    determined[kPerezNames[i]] = report.determined[i];
-    at_bound[kPerezNames[i]] = report.at_bound[i];
-  }
   const SkyCsvRow& worst = fitted.sky.rows[report.worst_direction];
-  Json place = {{"line", worst.line}, {"zenith_deg", worst.zenith_deg}};
+  Json place{{"line", worst.line}, {"zenith_deg", worst.zenith_deg}};
   if (worst.azimuth_deg) place["azimuth_deg"] = *worst.azimuth_deg;
   place["gamma_deg"] = fitted.views[report.worst_direction].gamma_rad * kDegreesPerRadian;
-  return {{"coefficients", coefficients},
-          {"standard_errors", errors},
-          {"determined", determined},
-          {"at_bound", at_bound},
-          {"zenith", report.zenith_value},
-          {"rmse", report.rmse},
-          {"worst_residual", report.worst_residual},
-          {"worst_direction", place},
-          {"cost", report.cost},
-          {"termination", to_string(report.termination)},
-          {"message", report.message},
-          {"iterations", report.iterations}};
+  Json json = fit_report_json(report, std::move(place));
+  json["zenith"] = report.zenith_value;
+  return json;
 }
 
 std::string channel_text(const char* name, const FitReport& report, const FittedSky& fitted) {
@@ -77,17 +55,18 @@ std::string fit_text(const FittedSky& fitted) {
          channel_text("y", fitted.fit.y, fitted);
 }
 
-std::string fit_json(const FittedSky& fitted) {
-  const Json json = {{"format", "skylut fit"},
-                     {"format_version", 1},
-                     {"file", std::filesystem::path(fitted.file).filename().string()},
-                     {"directions", fitted.views.size()},
-                     {"sun_zenith_deg", fitted.sun_zenith_deg},
-                     {"weights", fitted.weights},
-                     {"residuals", {{"Y", "relative"}, {"x", "absolute"}, {"y", "absolute"}}},
-                     {"Y", channel_json(fitted.fit.Y, fitted)},
-                     {"x", channel_json(fitted.fit.x, fitted)},
-                     {"y", channel_json(fitted.fit.y, fitted)}};
+std::string fit_json(const FittedSky& fitted, const Provenance& provenance) {
+  Json json{{"format", "skylut fit"}, {"format_version", 1}};
+  const Json how = provenance.json();
+  for (const auto& [key, value] : how.items()) json[key] = value;
+  json["file"] = std::filesystem::path(fitted.file).filename().string();
+  json["directions"] = fitted.views.size();
+  json["sun_zenith_deg"] = fitted.sun_zenith_deg;
+  json["weights"] = fitted.weights;
+  json["residuals"] = {{"Y", "relative"}, {"x", "absolute"}, {"y", "absolute"}};
+  json["Y"] = channel_json(fitted.fit.Y, fitted);
+  json["x"] = channel_json(fitted.fit.x, fitted);
+  json["y"] = channel_json(fitted.fit.y, fitted);
   return json.dump(1) + "\n";
 }
 

@@ -33,14 +33,10 @@ std::array<bool, 5> undetermined(const FitReport& report) {
 
 std::array<bool, 5> at_bound(const FitReport& report) { return report.at_bound; }
 
-bool converged(const SkyFit& fit) {
-  const auto good = [](const FitReport& report) { return report.termination == Termination::converged; };
-  return good(fit.Y) && good(fit.x) && good(fit.y);
-}
-
 std::string notes(const SkyFit& fit) {
   std::string text;
-  if (!converged(fit)) text += "  no convergence";
+  if (const std::string channels = unconverged_channels(fit); !channels.empty())
+    text += "  no convergence: " + channels;
   const std::string bound = flagged(fit, at_bound);
   if (!bound.empty()) text += "  at bound:" + bound;
   const std::string loose = flagged(fit, undetermined);

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "skylut/scattering/aerosol_description.hpp"
 #include "core/toml_reader.hpp"
+#include "skylut/scattering/aerosol_description.hpp"
 
 namespace skylut {
 

@@ -53,12 +53,12 @@ Provenance scene_provenance(const Context& context, const SkyScene& scene, std::
                       Json{{"name", scene.directions_name}, {"count", scene.directions.size()}});
   if (scene.place)
     provenance.describe("place", Json{{"latitude_deg", scene.place->latitude_deg},
-                                  {"longitude_deg", scene.place->longitude_deg},
-                                  {"height_m", scene.place->height_m}});
+                                      {"longitude_deg", scene.place->longitude_deg},
+                                      {"height_m", scene.place->height_m}});
   if (!scene.time.empty()) provenance.describe("time", scene.time);
   provenance.describe("wavelengths_nm", Json{{"first", scene.wavelengths.first_nm()},
-                                         {"last", scene.wavelengths.last_nm()},
-                                         {"step", scene.wavelengths.step_nm()}});
+                                             {"last", scene.wavelengths.last_nm()},
+                                             {"step", scene.wavelengths.step_nm()}});
   provenance.describe("solar", scene.solar);
   provenance.describe("sun_distance_au", Json(scene.sun_distance_au));
   describe_into(context, *scene.atmosphere, provenance);

@@ -1,10 +1,14 @@
 #include "skylut/table/fit_table.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "skylut/core/context.hpp"
@@ -100,6 +104,16 @@ SkyTable fit_table(const Context& context, std::span<const SkyMap> maps, const S
     table.entries[i] = table_entry(maps[i], table.fits[i]);
   }
   return table;
+}
+
+void require_converged(const SkyTable& table) {
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < table.fits.size(); ++i)
+    if (const std::string channels = unconverged_channels(table.fits[i]); !channels.empty())
+      rows.push_back(fmt::format("{} ({})", i + 1, channels));
+  if (!rows.empty())
+    throw WorkError("fits that did not converge, whose coefficients are not those of a minimum: rows {}",
+                    fmt::join(rows, ", "));
 }
 
 }  // namespace skylut

@@ -1,8 +1,10 @@
 #include "skylut/table/table_json.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
+#include "skylut/core/sha256.hpp"
+#include "skylut/fit/fit_report_json.hpp"
+#include "skylut/table/table_csv.hpp"
 
 namespace skylut {
 
@@ -27,28 +29,7 @@ Json units() {
 }
 
 Json report_json(const FitReport& report, const std::vector<Direction>& directions) {
-  const std::array<double, 5> values = report.coefficients.values();
-  Json coefficients = Json::object();
-  Json standard_errors = Json::object();
-  Json determined = Json::object();
-  Json at_bound = Json::object();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    coefficients[kPerezNames[i]] = values[i];
-    standard_errors[kPerezNames[i]] = report.standard_error[i];
-    determined[kPerezNames[i]] = report.determined[i];
-    at_bound[kPerezNames[i]] = report.at_bound[i];
-  }
-  return {{"coefficients", coefficients},
-          {"standard_errors", standard_errors},
-          {"determined", determined},
-          {"at_bound", at_bound},
-          {"rmse", report.rmse},
-          {"worst_residual", report.worst_residual},
-          {"worst_direction", as_json(directions.at(report.worst_direction))},
-          {"termination", to_string(report.termination)},
-          {"message", report.message},
-          {"cost", report.cost},
-          {"iterations", report.iterations}};
+  return fit_report_json(report, as_json(directions.at(report.worst_direction)));
 }
 
 Json row_json(std::size_t row, const TableEntry& entry, const SkyFit& fit,
@@ -70,6 +51,8 @@ std::string table_json(const SkyTable& table, const std::vector<Direction>& dire
   Json file{{"format", "skylut table"}, {"format_version", 1}};
   const Json how = provenance.json();
   for (const auto& [key, value] : how.items()) file[key] = value;
+  // By which the table beside is known to be this one.
+  file["table_csv"] = {{"file", "table.csv"}, {"sha256", sha256_hex(format_table_csv(table.entries))}};
   file["units"] = units();
   Json& rows = file["rows"] = Json::array();
   for (std::size_t i = 0; i < table.entries.size(); ++i)

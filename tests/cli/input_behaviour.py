@@ -40,7 +40,8 @@ class Input(unittest.TestCase):
         self.addCleanup(self.work.__exit__)
 
     def sun(self, *arguments):
-        self.work.succeed("sun", "-o", "sun.json", *BEAM, *arguments)
+        result = self.work.run("sun", "-o", "sun.json", *BEAM, *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(self.work.path("sun.json").read_text(encoding="utf-8"))
 
     def test_places_as_documents_print_them(self):
@@ -71,10 +72,7 @@ class Input(unittest.TestCase):
 
     def test_the_weight_of_the_air_fixes_its_column(self):
         self.work.write("two.toml", sounding([0, 30000], [288.15, 226.51], [1013.25, 11.97], [0, 0]))
-        result = self.work.run("sun", "-o", "two.json", *BEAM, "--profile", "./two.toml", "--sun-zenith-deg", "0",
-                               "--wavelengths-nm", "500:500:5")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        two = json.loads(self.work.path("two.json").read_text(encoding="utf-8"))
+        two = self.sun("--profile", "./two.toml", "--sun-zenith-deg", "0", "--wavelengths-nm", "500:500:5")
         self.assertAlmostEqual(two["transmittance_rayleigh"][0], 0.86638, delta=1e-4)
         shown = self.work.run("profile", "show", "./two.toml")
         self.assertIn("contradict the weight of the air", shown.stdout)

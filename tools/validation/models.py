@@ -17,8 +17,8 @@ def add_preetham(context, section):
             continue  # the mirror image
         cells = [f"{row['turbidity']:g}", f"{row['preetham_t']:.2f}", f"{row['sun_zenith_deg']:g}",
                  f"{row['Y_zenith_kcd_m2']:.3g}",
-                 f"{row['Y_zenith_kcd_m2_preetham']:.3g}", f"{row['x_zenith']:.3f}, {row['y_zenith']:.3f}",
-                 f"{row['x_zenith_preetham']:.3f}, {row['y_zenith_preetham']:.3f}"]
+                 f"{row['Y_zenith_kcd_m2_preetham1999']:.3g}", f"{row['x_zenith']:.3f}, {row['y_zenith']:.3f}",
+                 f"{row['x_zenith_preetham1999']:.3f}, {row['y_zenith_preetham1999']:.3f}"]
         if row["rmse_Y_rel"] is None:
             cells += ["–", "–", "–", "–"]
         else:

@@ -26,8 +26,8 @@ struct SolveOptions {
 ///
 /// Changed: `results[].radiance` and `.std` (0 for a deterministic solver), `results[].photons` (Monte
 /// Carlo: ours; else removed), `fluxes`; `outputs.radiance` and `.flux_*`, `streams_used`; `convergence` is
-/// removed (it judged the old numbers); `reference` names this program, `instruction_set` the build of the spherical
-/// solver. All else is kept.
+/// removed (it judged the old numbers); `reference` names this program, `instruction_set` the build of the
+/// spherical solver. All else is kept.
 ///
 /// @param document  parsed file; `path` names it in messages
 /// @throws InputError  naming file, key, value and what would be right

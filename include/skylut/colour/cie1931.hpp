@@ -36,7 +36,8 @@ class ColourMatching {
   /// The same as one weight per wavelength of the grid: X = Σ weight.X[i] L[i]. For many spectra on one grid.
   std::vector<Xyz> weights(const WavelengthGrid& grid) const;
 
-  /// Part of ∫ V(λ) dλ, V = ȳ, that lies between two wavelengths, [0, 1]; to 1e-4. @param first_nm  <= last_nm
+  /// Part of ∫ V(λ) dλ, V = ȳ, that lies between two wavelengths, [0, 1]; to 1e-4. @param first_nm  <=
+  /// last_nm
   double part_of_vision(double first_nm, double last_nm) const;
 
   /// x̄, ȳ, z̄ at one wavelength, linear between the table's; 0 outside it.

@@ -1,40 +1,54 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "skylut/table/table_entry.hpp"
-#include "skylut/table/table_turbidity.hpp"
+#include "skylut/colour/yxy.hpp"
+#include "skylut/compare/metrics.hpp"
+#include "skylut/core/provenance.hpp"
+#include "skylut/models/perez.hpp"
 
 namespace skylut {
 
-struct Context;
+/// One of the skies that a row sets side by side.
+struct ComparedSky {
+  std::string label;          ///< on the screen: "ours"
+  std::string suffix;         ///< of its columns: "", "_preetham1999"
+  std::string unit;           ///< of Y in column names: "kcd_m2"; empty where the source gives none
+  std::optional<Yxy> zenith;  ///< absent: there is no such sky
+  /// By channel, "Y", "x", "y", or "" for a source that prints one set; absent as the sky or for a model that
+  /// has none. Every row of a report has the same channels.
+  std::vector<std::pair<std::string, std::optional<PerezCoefficients>>> coefficients;
+};
 
-/// A comparison as rows of named cells: the same content as text, CSV and JSON.
-struct CompareReport {
+/// One row of a comparison.
+struct CompareRow {
   using Cell =
       std::variant<std::monostate, double, std::string>;  ///< empty where there is nothing to compare
 
-  std::string name;                ///< of what the table is compared with
-  std::vector<std::string> notes;  ///< what a reader must know
-  std::vector<std::string> columns;
-  std::vector<std::vector<Cell>> rows;
-  std::vector<std::string> blocks;  ///< rows as a reader takes them, one text per row
+  std::vector<std::pair<std::string, Cell>> facts;  ///< conditions and verdict, by column
+  std::vector<ComparedSky> skies;
+  bool has_difference = false;              ///< whether the report has the columns
+  std::optional<SkyDifference> difference;  ///< of the first sky from the second, over a dome
 
+  /// Every cell with its column, for CSV and JSON.
+  std::vector<std::pair<std::string, Cell>> cells() const;
+  /// For a reader.
   std::string text() const;
-  std::string csv() const;
-  std::string json() const;
 };
 
-/// Every entry at 0 km beside Preetham 1999 for the same turbidity and sun.
-/// @throws InputError  if no entry is at 0 km with the sun above the horizon and T >= 1
-CompareReport compare_with_preetham1999(std::span<const TableEntry> entries, const TableTurbidity& turbidity);
+/// A comparison: the same content as text, CSV and JSON.
+struct CompareReport {
+  std::string name;                ///< of what the table is compared with
+  std::vector<std::string> notes;  ///< what a reader must know
+  std::vector<CompareRow> rows;
 
-/// Every legible published row, its verdict, and the entry of the table for the same altitude, turbidity and
-/// sun.
-CompareReport compare_with_utm2005(const Context& context, std::span<const TableEntry> entries);
+  std::string text() const;
+  std::string csv(const Provenance& provenance) const;
+  std::string json(const Provenance& provenance) const;
+};
 
 }  // namespace skylut

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "skylut/models/sky_model.hpp"
+#include "skylut/colour/yxy.hpp"
 
 namespace skylut {
 
@@ -18,9 +18,5 @@ struct SkyDifference {
 /// @param reference  Y > 0
 /// @throws InputError  if the sizes differ, are 0, or a reference luminance is not > 0
 SkyDifference difference(std::span<const Yxy> sky, std::span<const Yxy> reference);
-
-/// The same for two models under one sun. @throws InputError as the models do
-SkyDifference difference(const SkyModel& sky, const SkyModel& reference, const Direction& sun,
-                         std::span<const Direction> views);
 
 }  // namespace skylut

@@ -30,8 +30,8 @@ enum class SampleWeights {
 
 enum class Termination {
   not_run,
-  converged,       ///< Levenberg-Marquardt stopped at a minimum
-  no_convergence,  ///< stopped at the limit of iterations
+  converged,       ///< at a minimum, within the bounds
+  no_convergence,  ///< stopped at the limit of iterations, or where no step lowers the cost
 };
 
 std::string_view to_string(Termination termination);
@@ -43,8 +43,8 @@ struct FitOptions {
   double B_upper = -1e-5;    ///< B < 0: finite at the horizon
   double D_lower = -80.0;    ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
   double D_upper = 25.0;     ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
-  int polished_starts = 24;  ///< Levenberg-Marquardt runs per fit, from the best valleys of the search
-  int max_iterations = 200;  ///< per run
+  int starts = 24;           ///< Levenberg-Marquardt runs per fit, from the best places of the search
+  int max_iterations = 200;  ///< per run; as many again by Newton's method where they do not suffice
 };
 
 /// What the fit found, for one channel.
@@ -61,12 +61,12 @@ struct FitReport {
       standard_error{};              ///< of A…E, from the covariance at the minimum; infinity if unbounded
   std::array<bool, 5> determined{};  ///< whether the data fix A…E; see fit_perez
   std::array<bool, 5> at_bound{};    ///< whether B or D ended on a bound of FitOptions
-  int iterations = 0;                ///< of the Levenberg-Marquardt run that won
+  int iterations = 0;                ///< of the run that won
 };
 
 /// Fits v(θ, γ) = v_z F(θ, γ)/F(0, θ_s), v_z being fixed, by Levenberg-Marquardt with automatic
-/// derivatives (Ceres), from the best valleys of a search over B and D in which A, C and E are eliminated,
-/// and from Preetham's coefficients. [fit.md F2-F6]
+/// derivatives (Ceres), from the best places of a search over B and D in which A, C and E are eliminated,
+/// and from Preetham's coefficients; by Newton's method from where that creeps. [fit.md F2-F6]
 ///
 /// The order of the samples does not matter: mirror-symmetric skies give the same bits.
 ///
@@ -81,6 +81,8 @@ struct FitReport {
 /// @param zenith_value    v_z; not 0
 /// @throws InputError  too few samples, a value that is not finite (or not > 0 if residuals are
 ///                     relative), angles or weights or options out of range
+/// @throws WorkError   numbers that overflow: no start has a finite cost, or the result has no finite
+/// coefficients
 FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,
                     const FitOptions& options);
 

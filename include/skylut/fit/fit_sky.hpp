@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/fit/fit_perez.hpp"
+#include "skylut/models/sky_model.hpp"
 
 namespace skylut {
 
@@ -47,5 +49,11 @@ SkyFit fit_sky(std::span<const Direction> views, std::span<const Yxy> sky, const
 /// The same for directions given by their angles alone.
 SkyFit fit_sky(std::span<const SkyDirection> views, std::span<const Yxy> sky, double sun_zenith_rad,
                const SkyFitOptions& options = {});
+
+/// The channels whose fit did not converge, "x, y"; empty if all did.
+std::string unconverged_channels(const SkyFit& fit);
+
+/// @throws WorkError  naming the channels whose fit did not converge
+void require_converged(const SkyFit& fit);
 
 }  // namespace skylut

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "skylut/core/provenance.hpp"
 #include "skylut/export/sky_csv_reader.hpp"
 #include "skylut/fit/fit_sky.hpp"
 
@@ -22,6 +23,6 @@ struct FittedSky {
 std::string fit_text(const FittedSky& fitted);
 
 /// The same as JSON, in full precision; a number that is not finite is null.
-std::string fit_json(const FittedSky& fitted);
+std::string fit_json(const FittedSky& fitted, const Provenance& provenance);
 
 }  // namespace skylut

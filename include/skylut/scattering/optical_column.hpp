@@ -15,18 +15,20 @@ struct Scatterer {
 };
 
 /// Everything that radiative transfer must know of the air at one wavelength and one aerosol load:
-/// homogeneous layers over a Lambertian ground. A column is one "lane" of the solver.
+/// homogeneous layers over a Lambertian ground. The solver works on several columns at a time.
 struct OpticalColumn {
-  std::vector<double>
-      extinction_depth;  ///< vertical optical depth, per layer, bottom to top; scattering included
-  std::vector<Scatterer> scatterers;  ///< Σ scattering_depth <= extinction_depth in every layer
-  double ground_albedo = 0.0;         ///< Lambertian, [0, 1]
+  /// Vertical optical depth, per layer, bottom to top; scattering included.
+  std::vector<double> extinction_depth;
+  /// Any number, none for air that only absorbs; Σ scattering_depth <= extinction_depth in every layer.
+  std::vector<Scatterer> scatterers;
+  double ground_albedo = 0.0;  ///< Lambertian, [0, 1]
 };
 
 /// The layers that all columns of a computation share.
 struct Shells {
-  std::vector<double> levels_km;     ///< layer boundaries above the ground, ascending, the first is 0
-  double planet_radius_km = 6371.0;  ///< of the ground, [100, ∞)
+  /// Layer boundaries above the ground, ascending, the first is 0, the last at most 10,000.
+  std::vector<double> levels_km;
+  double planet_radius_km = 6371.0;  ///< of the ground, [1000, 1e9]
 };
 
 }  // namespace skylut

@@ -24,4 +24,7 @@ struct SkyTable {
 /// @throws InputError  naming the row, if a map cannot be fitted (fit_sky says why)
 SkyTable fit_table(const Context& context, std::span<const SkyMap> maps, const SkyFitOptions& options);
 
+/// @throws WorkError  naming the rows whose fits did not converge
+void require_converged(const SkyTable& table);
+
 }  // namespace skylut

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "azimuth_transform.hpp"
+#include "convergence.hpp"
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
@@ -28,9 +29,6 @@ class DiffuseField {
         local_source_(count(1, directions())),
         chords_(count(grid.sublayers + 1, grid.chord_nodes * grid.azimuth_nodes)),
         ground_irradiance_(count(1, 1)),
-        monitored_(count(grid.sublayers + 1, kMonitored)),
-        mean_change_(count(grid.sublayers + 1, 1)),
-        last_change_(count(1, 1)),
         step_weights_(static_cast<std::size_t>(grid.polar_nodes)),
         scaled_moments_(static_cast<std::size_t>(grid.moments)),
         by_azimuthal_order_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {
@@ -48,9 +46,6 @@ class DiffuseField {
   LaneArray<V> take_ground_irradiance() { return static_cast<LaneArray<V>&&>(ground_irradiance_); }
 
  private:
-  static constexpr int kMonitored = 3;
-  static constexpr int kExtrapolateEvery = 3;
-
   std::size_t count(int levels, int each) const {
     return static_cast<std::size_t>(levels) * static_cast<std::size_t>(grid_.sun_nodes * each);
   }
@@ -70,7 +65,6 @@ class DiffuseField {
   void source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count, V* to);
   void analyse(Hemisphere hemisphere, int level, int node, LaneMask<V> active);
   void transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level);
-  LaneMask<V> accelerate_and_test(int iteration, const IterationLimits& limits, LaneMask<V> active);
 
   const SweepView& grid_;
   const OpticsView& optics_;
@@ -84,13 +78,9 @@ class DiffuseField {
   LaneArray<V> local_source_;      // source at the end of the step, then at its start
   LaneArray<V> chords_;            // downward radiance of grazing directions [level][node][polar][azimuth]
   LaneArray<V> ground_irradiance_;
-  LaneArray<V> monitored_;    // M_00, M_10, M_20 after the last iteration [level][node][kMonitored]
-  LaneArray<V> mean_change_;  // last change of M_00 [level][node]
-  LaneArray<V> last_change_;  // summed over the column [node]
   LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
   LaneArray<V> scaled_moments_;
   LaneArray<V> by_azimuthal_order_;
-  V error_left_{};  // of each lane, when it was last judged
 };
 
 template <class V>
@@ -121,18 +111,17 @@ IterationReport DiffuseField<V>::solve(const IterationLimits& limits) {
     report.end = IterationReport::kConverged;
     return report;
   }
+  Convergence<V> convergence(grid_);
   while (report.iterations < limits.max_iterations) {
     if (stops()) return report;
     ++report.iterations;
     sweep_down(active);
     reflect_at_ground(active, false);
     sweep_up(active);
-    active = accelerate_and_test(report.iterations, limits, active);
+    active = convergence.accelerate_and_test(report.iterations, limits.tolerance, hemisphere_, active);
     if (any_lane<V>(active)) continue;
     report.end = IterationReport::kConverged;
-    float error[kLaneCount<V>];
-    store(error_left_, error);
-    for (const float lane : error) report.error_left = lane > report.error_left ? lane : report.error_left;
+    report.error_left = convergence.error_left();
     return report;
   }
   return report;
@@ -333,67 +322,6 @@ void DiffuseField<V>::sweep_up(LaneMask<V> active) {
     transport(kUp, sublayer, sublayer, sublayer + 1);
     for (int node = 0; node < grid_.sun_nodes; ++node) analyse(kUp, sublayer + 1, node, active);
   }
-}
-
-/// The changes of successive iterations fall off like λ^n. Per lane and sun node: λ from the last two
-/// changes of the moments (l <= 2, m = 0), and the error left as λ/(1-λ) times the last change. Every third
-/// iteration all moments of the column are extrapolated by as much as M_00 has still to go (Lyusternik 1947);
-/// the iteration after that has no predecessor to compare with and is not judged. [I1-I3]
-/// @return lanes not yet converged
-template <class V>
-LaneMask<V> DiffuseField<V>::accelerate_and_test(int iteration, const IterationLimits& limits,
-                                                 LaneMask<V> active) {
-  const int levels = grid_.sublayers + 1;
-  const bool judged = iteration > 1 && iteration % kExtrapolateEvery != 1;
-  const bool extrapolates = iteration % kExtrapolateEvery == 0;
-  LaneMask<V> open = judged ? V{} != V{} : V{} == V{};
-  // From one sun node to the next no light falls off by more than a thousand, except where none is left (in
-  // the night of a planet without curvature): what is below that need not settle.
-  V scale{};
-  V error{};
-  for (int node = 0; node < grid_.sun_nodes; ++node) {
-    V change{};
-    V size{};
-    for (int level = 0; level < levels; ++level) {
-      const V* down = hemisphere_[kDown].data() + moment_index(level, node);
-      const V* up = hemisphere_[kUp].data() + moment_index(level, node);
-      V* monitored =
-          monitored_.data() + static_cast<std::size_t>(level * grid_.sun_nodes + node) * kMonitored;
-      size += lane_max(monitored[0], -monitored[0]);
-      for (int i = 0; i < kMonitored; ++i) {
-        const V value = down[i] + up[i];
-        const V step = value - monitored[i];
-        change += lane_max(step, -step);
-        monitored[i] = value;
-        if (i == 0) mean_change_.data()[level * grid_.sun_nodes + node] = step;
-      }
-    }
-    V& before = last_change_.data()[node];
-    const V ratio = lane_min(select<V>(before > 0.0f, change / (before + 1e-37f), V{}), broadcast<V>(0.97f));
-    const V rest = ratio / (1.0f - ratio);
-    before = change;
-    if (!judged) continue;
-    scale = lane_max(size, scale * 1e-3f);
-    open |= change * rest > scale * limits.tolerance;
-    error = lane_max(error, change * rest / (scale + 1e-37f));
-    if (!extrapolates) continue;
-    const V extrapolation = lane_min(rest, broadcast<V>(6.0f));
-    for (int level = 0; level < levels; ++level) {
-      V* monitored =
-          monitored_.data() + static_cast<std::size_t>(level * grid_.sun_nodes + node) * kMonitored;
-      V gain = 1.0f +
-               extrapolation * mean_change_.data()[level * grid_.sun_nodes + node] / (monitored[0] + 1e-30f);
-      gain = lane_max(lane_min(gain, broadcast<V>(2.0f)), broadcast<V>(0.5f));
-      gain = select<V>(active, gain, broadcast<V>(1.0f));
-      for (const Hemisphere hemisphere : {kDown, kUp}) {
-        V* moment = hemisphere_[hemisphere].data() + moment_index(level, node);
-        for (int i = 0; i < grid_.moments; ++i) moment[i] *= gain;
-      }
-      for (int i = 0; i < kMonitored; ++i) monitored[i] *= gain;
-    }
-  }
-  if (judged) error_left_ = select<V>(active, error, error_left_);
-  return active & open;
 }
 
 template <class V>

@@ -4,5 +4,6 @@
 
 int main() {
   const skylut::HenyeyGreensteinPhaseFunction phase(0.5);
-  return phase.moment(2) == 0.25 && skylut::discretisation_of(skylut::Quality::standard).tolerance > 0.0 ? 0 : 1;
+  return phase.moment(2) == 0.25 && skylut::discretisation_of(skylut::Quality::standard).tolerance > 0.0 ? 0
+                                                                                                         : 1;
 }

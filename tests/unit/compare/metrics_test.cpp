@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "skylut/models/preetham1999.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -19,14 +18,6 @@ TEST(Metrics, ByHand) {
   EXPECT_NEAR(found.mean_Y_rel, -0.1, 1e-15);
   EXPECT_NEAR(found.rmse_x, std::sqrt(0.0004 / 2.0), 1e-15);
   EXPECT_NEAR(found.rmse_y, std::sqrt((0.0009 + 0.0016) / 2.0), 1e-15);
-}
-
-TEST(Metrics, AModelIsEqualToItself) {
-  const Preetham1999 model(2.5);
-  const auto views = directions_utm271();
-  const SkyDifference found = difference(model, model, {45.0, 90.0}, views);
-  EXPECT_EQ(found.rmse_Y_rel, 0.0);
-  EXPECT_EQ(found.rmse_x, 0.0);
 }
 
 TEST(Metrics, RefusesWhatCannotBeCompared) {

@@ -24,7 +24,7 @@ class DirectionsCsv : public testing::Test {
 TEST_F(DirectionsCsv, ReadsColumnsInAnyOrder) {
   const auto directions =
       read_directions_csv(file("# mine\nazimuth_deg, note ,zenith_deg\r\n90,a,10\r\n\n-15,b,120.5\n"));
-  EXPECT_EQ(directions, (std::vector<Direction>{{10.0, 90.0}, {120.5, -15.0}}));
+  EXPECT_EQ(directions, (std::vector<Direction>{{10.0, 90.0}, {120.5, 345.0}}));
 }
 
 TEST_F(DirectionsCsv, EveryMistakeNamesItsLine) {

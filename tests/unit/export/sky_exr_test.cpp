@@ -125,8 +125,9 @@ TEST_F(SkyExr, SameMapSameBytes) {
 
 TEST_F(SkyExr, AFullDiskIsAnErrorAndLeavesNothing) {
   EXPECT_THROW(write_sky_exr("/dev/full", map_, projection_, SkyChannels::rgb, Provenance()), WorkError);
-  EXPECT_THROW(write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb, Provenance()),
-               WorkError);
+  EXPECT_THROW(
+      write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb, Provenance()),
+      WorkError);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "skylut/core/constants.hpp"
@@ -89,6 +92,55 @@ TEST(FitPerez, FindsTheGlobalMinimum) {
                            ResidualKind::relative, report.coefficients),
                 1e-12 * report.cost);
   }
+}
+
+// No coefficient moved by a thousandth, within its bounds, lowers the cost.
+void expect_minimum(const FitReport& report, const std::vector<SkySample>& samples, double sun_zenith_rad) {
+  const FitOptions options;
+  for (std::size_t i = 0; i < 5; ++i)
+    for (const double factor : {0.999, 1.001}) {
+      std::array<double, 5> k = report.coefficients.values();
+      k[i] *= factor;
+      k[1] = std::clamp(k[1], options.B_lower, options.B_upper);
+      k[3] = std::clamp(k[3], options.D_lower, options.D_upper);
+      EXPECT_GE(perez_cost(samples, sun_zenith_rad, report.zenith_value, ResidualKind::relative,
+                           {k[0], k[1], k[2], k[3], k[4]}),
+                report.cost * (1.0 - 1e-12))
+          << kPerezNames[i] << " times " << factor;
+    }
+}
+
+// A measured sky whose zenith reads 1.8 times too high: CIE sky type 12, the sun at 60°. Levenberg-Marquardt
+// creeps along a hyperbola A + 1 ~ B and had not arrived after 200 iterations; the minimum is at B's
+// bound, 6.532345853.
+TEST(FitPerez, ArrivesAtTheEndOfACurvedValley) {
+  const double sun_zenith = 60.0 * kRadiansPerDegree;
+  const double level = 1.0 - 10.0 * std::exp(-1.5 * kPi);
+  const PerezCoefficients clear{-1.0, -0.32, 10.0 / level, -3.0, 0.45 / level};
+  std::vector<SkySample> samples{{0.0, sun_zenith, 1.8, 1.0}};
+  const std::pair<double, int> rings[] = {{84.0, 30}, {72.0, 30}, {60.0, 24}, {48.0, 24},
+                                          {36.0, 18}, {24.0, 12}, {12.0, 6}};
+  for (const auto& [zenith_deg, count] : rings)
+    for (int i = 0; i < count; ++i) {
+      const double zenith = zenith_deg * kRadiansPerDegree;
+      const double gamma = angle_between({zenith_deg, 360.0 * i / count}, {60.0, 160.0});
+      samples.push_back({zenith, gamma, perez_relative(clear, zenith, gamma, sun_zenith), 1.0});
+    }
+  const FitReport report = fit_perez(samples, sun_zenith, 1.8, {});
+  EXPECT_EQ(report.termination, Termination::converged) << report.message;
+  EXPECT_TRUE(report.at_bound[1]);
+  EXPECT_NEAR(report.cost, 6.532345853, 1e-8);  // 2e-6 below where the creeping stopped
+  expect_minimum(report, samples, sun_zenith);
+}
+
+TEST(FitPerez, SaysThatItDidNotConverge) {
+  const Direction sun{60.0, 90.0};
+  const auto samples = sky_of(sun, hazy_layer);
+  FitOptions options;
+  options.max_iterations = 1;
+  const FitReport report = fit_perez(samples, sun.zenith_deg * kRadiansPerDegree, samples[0].value, options);
+  EXPECT_EQ(report.termination, Termination::no_convergence);
+  EXPECT_NE(report.message.find("maximum number of iterations"), std::string::npos);
 }
 
 TEST(FitPerez, IsNeverWorseThanItsStarts) {
@@ -215,6 +267,17 @@ TEST(FitPerez, PrintsNothing) {
   testing::internal::CaptureStdout();
   const auto samples = sky_of({0.0, 0.0}, hazy_layer);
   fit_perez(samples, 0.0, samples[0].value, {});
+  // Values that overflow on the way: Ceres would warn of every residual that is not finite.
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int sky = 0; sky < 5; ++sky) {
+    auto wild = samples;
+    for (SkySample& sample : wild) sample.value = std::exp(400.0 * any(random));
+    try {
+      fit_perez(wild, 0.0, wild[0].value, {});
+    } catch (const WorkError&) {
+    }
+  }
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -52,6 +52,16 @@ TEST(FitSky, SolidAngleWeights) {
   EXPECT_NEAR(30.0 * weights[270] / 271.0, std::cos(85.0 * kRadiansPerDegree), 1e-9);
 }
 
+TEST(FitSky, NamesTheChannelsThatDidNotConverge) {
+  SkyFit fit;
+  fit.Y.termination = Termination::converged;
+  fit.x.termination = Termination::no_convergence;
+  fit.y.termination = Termination::no_convergence;
+  EXPECT_EQ(unconverged_channels(fit), "x, y");
+  fit.x.termination = fit.y.termination = Termination::converged;
+  EXPECT_EQ(unconverged_channels(fit), "");
+}
+
 TEST(FitSky, SaysWhatIsWrong) {
   const auto views = directions_utm271();
   const Direction sun{45.0, 90.0};

@@ -3,12 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
 namespace {
+
+SkyConditions with(double T, const Direction& sun) {
+  return {.turbidity = {TurbidityKind::preetham_t, T}, .sun = sun};
+}
+
+std::unique_ptr<const Sky> sky(double T, const Direction& sun) { return Preetham1999().at(with(T, sun)); }
 
 // By hand: T = 2, sun 45°: χ = (4/9 - 1/60) π/2 = 0.671952, Y_z = 3.1196 tan χ + 1.9882.
 TEST(Preetham1999, ZenithByHand) {
@@ -38,28 +46,37 @@ TEST(Preetham1999, CoefficientsAtTwo) {
 TEST(Preetham1999, TheZenithOfTheSkyIsTheZenithFormula) {
   for (const double T : {2.0, 4.0, 6.0})
     for (const double sun_zenith : {0.0, 30.0, 75.0, 90.0}) {
-      const Yxy sky = Preetham1999(T).sky({sun_zenith, 123.0}, {0.0, 0.0});
+      const Yxy above = sky(T, {sun_zenith, 123.0})->colour(Direction{0.0, 0.0});
       const Yxy zenith = preetham1999_zenith_kcd_m2(T, sun_zenith * kRadiansPerDegree);
-      EXPECT_NEAR(sky.Y, 1000.0 * zenith.Y, 1e-9);
-      EXPECT_NEAR(sky.x, zenith.x, 1e-12);
-      EXPECT_NEAR(sky.y, zenith.y, 1e-12);
+      EXPECT_NEAR(above.Y, 1000.0 * zenith.Y, 1e-9);
+      EXPECT_NEAR(above.x, zenith.x, 1e-12);
+      EXPECT_NEAR(above.y, zenith.y, 1e-12);
     }
 }
 
 TEST(Preetham1999, IsBrightAndWhiterNearTheSun) {
-  const Preetham1999 model(3.0);
-  const Direction sun{45.0, 90.0};
-  EXPECT_GT(model.sky(sun, {45.0, 95.0}).Y, 3.0 * model.sky(sun, {45.0, 270.0}).Y);
-  EXPECT_GT(model.sky(sun, {45.0, 95.0}).x, model.sky(sun, {45.0, 270.0}).x);
+  const auto model = sky(3.0, {45.0, 90.0});
+  const std::vector<Direction> views{{45.0, 95.0}, {45.0, 270.0}};
+  std::vector<Yxy> colours(2);
+  model->colour(views, colours);
+  EXPECT_GT(colours[0].Y, 3.0 * colours[1].Y);
+  EXPECT_GT(colours[0].x, colours[1].x);
 }
 
 TEST(Preetham1999, RefusesWhatItIsNotDefinedFor) {
-  EXPECT_THROW(Preetham1999(0.9), InputError);
-  EXPECT_THROW(Preetham1999(std::nan("")), InputError);
-  EXPECT_THROW(Preetham1999(2.0).sky({91.0, 0.0}, {0.0, 0.0}), InputError);
-  EXPECT_THROW(Preetham1999(2.0).sky({45.0, 0.0}, {91.0, 0.0}), InputError);
-  EXPECT_THROW(Preetham1999(1.2).sky({45.0, 0.0}, {90.0, 0.0}), InputError);
-  EXPECT_NO_THROW(Preetham1999(1.21).sky({45.0, 0.0}, {90.0, 0.0}));
+  const Direction sun{45.0, 0.0};
+  EXPECT_THROW(sky(0.9, sun), InputError);
+  EXPECT_THROW(sky(std::nan(""), sun), InputError);
+  EXPECT_THROW(sky(2.0, {91.0, 0.0}), InputError);
+  EXPECT_THROW(sky(2.0, sun)->colour(Direction{91.0, 0.0}), InputError);
+  EXPECT_THROW(sky(1.2, sun)->colour(Direction{90.0, 0.0}), InputError);
+  EXPECT_NO_THROW(sky(1.21, sun)->colour(Direction{90.0, 0.0}));
+  SkyConditions conditions = with(3.0, sun);
+  conditions.altitude_km = 6.0;
+  EXPECT_THROW(Preetham1999().at(conditions), InputError);
+  conditions = with(3.0, sun);
+  conditions.turbidity.kind = TurbidityKind::aod500;
+  EXPECT_THROW(Preetham1999().at(conditions), InputError);
 }
 
 }  // namespace

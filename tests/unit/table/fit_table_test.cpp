@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
 #include "skylut/core/errors.hpp"
 #include "support/test_context.hpp"
 #include "test_maps.hpp"
@@ -31,6 +35,45 @@ TEST(FitTable, KnownSkiesComeBackInTheirRows) {
     expect_near(entry.x, kMadeUp_x);
     expect_near(entry.y, kMadeUp_y);
     EXPECT_LT(entry.rmse_Y_rel, 1e-8);
+  }
+}
+
+// A sky and its image in the sun's vertical plane are equal samples: fitted once, the image's worst direction
+// is the mirrored one, not the same index.
+TEST(FitTable, MirrorImagesHaveMirroredWorstDirections) {
+  const Direction sun{60.0, 90.0};
+  std::vector<SkyMap> maps{perez_map(0.0, sun), perez_map(0.0, sun)};
+  const auto index_of = [&](double zenith_deg, double azimuth_deg) {
+    const auto& directions = maps[0].directions;
+    const Direction wanted{zenith_deg, zenith_deg == 0.0 ? 0.0 : azimuth_deg};
+    return static_cast<std::size_t>(std::find(directions.begin(), directions.end(), wanted) -
+                                    directions.begin());
+  };
+  maps[0].colour[index_of(40.0, 24.0)].Y *= 1.2;
+  for (std::size_t i = 0; i < maps[0].directions.size(); ++i) {
+    const auto& [zenith_deg, azimuth_deg] = maps[0].directions[i];
+    maps[1].colour[index_of(zenith_deg, std::fmod(540.0 - azimuth_deg, 360.0))] = maps[0].colour[i];
+  }
+  Context context = test::context;
+  std::size_t fitted = 0;
+  context.progress = [&](std::string_view, std::size_t, std::size_t) { ++fitted; };
+  const SkyTable table = fit_table(context, maps, {});
+  EXPECT_EQ(fitted, 1u);
+  EXPECT_EQ(table.fits[0].Y.worst_direction, index_of(40.0, 24.0));
+  EXPECT_EQ(table.fits[1].Y.worst_direction, index_of(40.0, 156.0));
+  EXPECT_EQ(table.fits[0].Y.worst_residual, table.fits[1].Y.worst_residual);
+}
+
+TEST(FitTable, NamesTheRowsThatDidNotConverge) {
+  const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(12.0, {45.0, 90.0})};
+  SkyTable table = fit_table(test::context, maps, {});
+  EXPECT_NO_THROW(require_converged(table));
+  table.fits[1].x.termination = Termination::no_convergence;
+  try {
+    require_converged(table);
+    FAIL() << "row 2 did not converge";
+  } catch (const WorkError& error) {
+    EXPECT_NE(std::string(error.what()).find("rows 2 (x)"), std::string::npos);
   }
 }
 

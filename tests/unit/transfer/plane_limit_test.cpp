@@ -69,28 +69,31 @@ TEST(PlaneLimit, ThickHaze) {
       {.rayleigh_depth = 0.1, .haze_depth = 1.0, .haze_scattering_albedo = 0.95, .ground_albedo = 0.1}, 3e-3);
 }
 
-// Around the sun a peaked phase function is scattered by more than once within its forward peak. Without the
-// correction of that (ForwardPeakCorrection) the sky at 1° is 4 % too bright.
+// Around the sun, light is scattered more than once within the forward peak that delta-M takes for none. A
+// haze whose particles diffract (a narrow peak on a broad phase function) is within 0.7 % of the
+// plane-parallel solver with 192 streams, which resolves the peak; without ForwardPeakCorrection the sky is 5
+// % too bright at 1 degree and 1.5 % at 3.
 TEST(PlaneLimit, AureoleOfAPeakedPhaseFunction) {
-  const OpticalColumn column = test::column_of({.rayleigh_depth = 0.05,
-                                                .haze_depth = 0.5,
-                                                .haze_scattering_albedo = 0.95,
-                                                .haze_asymmetry = 0.9,
-                                                .ground_albedo = 0.1});
+  const Shells shells{{0.0, 2.0, 100.0}, 6.4e7};
+  const OpticalColumn column{{0.5, 0.1},
+                             {{std::make_shared<const RayleighPhaseFunction>(), {0.05, 0.05}},
+                              {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.97), {0.1, 0.005}},
+                              {std::make_shared<const HenyeyGreensteinPhaseFunction>(0.6), {0.3, 0.02}}},
+                             0.1};
   constexpr double kSun_deg = 45.0;
   SkyRequest request{{0.0}, {kSun_deg}, {}};
   for (const double off_deg : {1.0, 2.0, 3.0, 5.0, 8.0, 11.0, 15.0})
     for (const double side : {-1.0, 1.0}) request.views.push_back({kSun_deg + side * off_deg, 0.0});
-  const SkyRadiance sky = test::solve(test::huge_planet(), column, request);
+  const SkyRadiance sky = test::solve(shells, column, request);
   PlaneParallelRequest asked;
   asked.cos_sun_zenith = std::cos(kSun_deg * kRadiansPerDegree);
-  asked.output_depths = {depth_above(column, 0.0)};
-  asked.streams = 128;
+  asked.output_depths = {0.6};
+  asked.streams = 192;
   for (const RelativeView& view : request.views)
     asked.directions.push_back({-std::cos(view.zenith_deg * kRadiansPerDegree), 0.0});
   const PlaneParallelResult expected = solve_plane_parallel(column, asked);
   for (std::size_t v = 0; v < request.views.size(); ++v)
-    EXPECT_NEAR(sky.at(0, 0, 0, v) / expected.radiance[v], 1.0, 5e-3)
+    EXPECT_NEAR(sky.at(0, 0, 0, v) / expected.radiance[v], 1.0, 7e-3)
         << request.views[v].zenith_deg - kSun_deg;
 }
 

@@ -1,9 +1,10 @@
-#include "valley_search.hpp"
+#include "start_search.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "grid_sums.hpp"
 
 namespace skylut::fit_detail {
 
@@ -47,16 +48,6 @@ std::vector<double> gradation_nodes() {
   return nodes;
 }
 
-// The sums over the observations that a (B, D) node needs: with g = 1 + a U and the columns h g {1, W, K},
-// every inner product is a polynomial in a. h: model scale, t: target.
-struct NodeSums {
-  // Of h² U^i times 1, W, K, W², WK, K²; i = 0, 1, 2.
-  double one[3], W[3], K[3], WW[3], WK[3], KK[3];
-  // Of h t U^i times 1, W, K; i = 0, 1.
-  double t_one[2], t_W[2], t_K[2];
-  double t_t;
-};
-
 struct Eliminated {
   double cost = std::numeric_limits<double>::infinity();
   double c = 0.0;
@@ -76,7 +67,7 @@ Eliminated eliminate(const NodeSums& s, double a) {
   const double offset = one - 2.0 * linear(s.t_one) + s.t_t;
   const double determinant = WW * KK - WK * WK;
   Eliminated result;
-  // Nearly dependent columns (1e-10 of their product): e alone; the polish sorts it out.
+  // Nearly dependent columns (1e-10 of their product): e alone; the local search sorts it out.
   if (determinant > 1e-10 * WW * KK) {
     result.c = (KK * right_W - WK * right_K) / determinant;
     result.e = (WW * right_K - WK * right_W) / determinant;
@@ -87,8 +78,8 @@ Eliminated eliminate(const NodeSums& s, double a) {
   return result;
 }
 
-Valley best_at(const NodeSums& sums, double B, double D, const std::vector<double>& gradations) {
-  Valley best{std::numeric_limits<double>::infinity(), {}};
+GridMinimum best_at(const NodeSums& sums, double B, double D, const std::vector<double>& gradations) {
+  GridMinimum best{std::numeric_limits<double>::infinity(), {}};
   std::size_t at = 0;
   for (std::size_t i = 0; i < gradations.size(); ++i) {
     const Eliminated found = eliminate(sums, gradations[i]);
@@ -127,95 +118,43 @@ Valley best_at(const NodeSums& sums, double B, double D, const std::vector<doubl
   return best;
 }
 
+/// The least cost at every node, [rate][width].
+std::vector<GridMinimum> scan(const GridSums& sums, const std::vector<double>& rates,
+                              const std::vector<double>& widths) {
+  const std::vector<double> gradations = gradation_nodes();
+  std::vector<GridMinimum> grid;
+  grid.reserve(rates.size() * widths.size());
+  for (std::size_t b = 0; b < rates.size(); ++b)
+    for (std::size_t d = 0; d < widths.size(); ++d)
+      grid.push_back(best_at(sums.at(static_cast<Eigen::Index>(b), static_cast<Eigen::Index>(d)), rates[b],
+                             widths[d], gradations));
+  return grid;
+}
+
 }  // namespace
 
-std::vector<Valley> search_valleys(const FitProblem& problem, const FitOptions& options, int count) {
+std::vector<GridMinimum> search_grid(const FitProblem& problem, const FitOptions& options) {
   const std::vector<double> rates = rate_nodes(options);
   const std::vector<double> widths = width_nodes(options);
-  const std::vector<double> gradations = gradation_nodes();
-  const auto n = static_cast<Eigen::Index>(problem.observations.size());
-  const auto nB = static_cast<Eigen::Index>(rates.size());
-  const auto nD = static_cast<Eigen::Index>(widths.size());
+  const std::vector<GridMinimum> grid = scan(GridSums(problem, rates, widths), rates, widths);
+  const std::size_t nB = rates.size();
+  const std::size_t nD = widths.size();
 
-  Eigen::ArrayXd h(n);
-  Eigen::ArrayXd t(n);
-  Eigen::ArrayXd K(n);
-  Eigen::ArrayXXd U(n, nB);
-  Eigen::ArrayXXd W(n, nD);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Observation& o = problem.observations[static_cast<std::size_t>(i)];
-    h(i) = o.model_scale;
-    t(i) = o.target;
-    K(i) = o.cos2_excess;
-    for (Eigen::Index b = 0; b < nB; ++b)
-      U(i, b) = gradation_basis(rates[static_cast<std::size_t>(b)], o.secant_excess);
-    for (Eigen::Index d = 0; d < nD; ++d)
-      W(i, d) = aureole_basis(widths[static_cast<std::size_t>(d)], o.gamma_rad, problem.sun);
-  }
-
-  // Inner products of every U^i with every function of W at once, as matrix products.
-  const Eigen::MatrixXd powers[3] = {Eigen::MatrixXd::Ones(n, nB), U.matrix(), U.square().matrix()};
-  const Eigen::ArrayXd hh = h * h;
-  const Eigen::ArrayXd ht = h * t;
-  const Eigen::MatrixXd hhW = (W.colwise() * hh).matrix();
-  const Eigen::MatrixXd hhWW = (W.square().colwise() * hh).matrix();
-  const Eigen::MatrixXd hhWK = (W.colwise() * (hh * K)).matrix();
-  const Eigen::MatrixXd htW = (W.colwise() * ht).matrix();
-  Eigen::MatrixXd sum_W[3], sum_WW[3], sum_WK[3], sum_tW[2];
-  Eigen::VectorXd sum_one[3], sum_K[3], sum_KK[3], sum_t[2], sum_tK[2];
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::MatrixXd transposed = powers[i].transpose();
-    sum_W[i] = transposed * hhW;
-    sum_WW[i] = transposed * hhWW;
-    sum_WK[i] = transposed * hhWK;
-    sum_one[i] = transposed * hh.matrix();
-    sum_K[i] = transposed * (hh * K).matrix();
-    sum_KK[i] = transposed * (hh * K * K).matrix();
-    if (i == 2) break;
-    sum_tW[i] = transposed * htW;
-    sum_t[i] = transposed * ht.matrix();
-    sum_tK[i] = transposed * (ht * K).matrix();
-  }
-  const double t_t = t.square().sum();
-
-  std::vector<Valley> grid(static_cast<std::size_t>(nB * nD));
-  const auto node = [&](Eigen::Index b, Eigen::Index d) -> Valley& {
-    return grid[static_cast<std::size_t>(b * nD + d)];
-  };
-  for (Eigen::Index b = 0; b < nB; ++b)
-    for (Eigen::Index d = 0; d < nD; ++d) {
-      NodeSums sums{};
-      for (int i = 0; i < 3; ++i) {
-        sums.one[i] = sum_one[i](b);
-        sums.K[i] = sum_K[i](b);
-        sums.KK[i] = sum_KK[i](b);
-        sums.W[i] = sum_W[i](b, d);
-        sums.WW[i] = sum_WW[i](b, d);
-        sums.WK[i] = sum_WK[i](b, d);
-        if (i == 2) break;
-        sums.t_one[i] = sum_t[i](b);
-        sums.t_K[i] = sum_tK[i](b);
-        sums.t_W[i] = sum_tW[i](b, d);
-      }
-      sums.t_t = t_t;
-      node(b, d) =
-          best_at(sums, rates[static_cast<std::size_t>(b)], widths[static_cast<std::size_t>(d)], gradations);
-    }
-
-  std::vector<Valley> valleys;
-  for (Eigen::Index b = 0; b < nB; ++b)
-    for (Eigen::Index d = 0; d < nD; ++d) {
+  std::vector<GridMinimum> minima;
+  for (std::size_t b = 0; b < nB; ++b)
+    for (std::size_t d = 0; d < nD; ++d) {
       // Lowest among the four next nodes; a diagonal valley then offers several starts along its floor.
-      const double here = node(b, d).cost;
-      const bool lowest =
-          (b == 0 || node(b - 1, d).cost >= here) && (b == nB - 1 || node(b + 1, d).cost >= here) &&
-          (d == 0 || node(b, d - 1).cost >= here) && (d == nD - 1 || node(b, d + 1).cost >= here);
-      if (lowest) valleys.push_back(node(b, d));
+      const std::size_t here = b * nD + d;
+      const auto not_above = [&](std::size_t other) { return grid[other].cost >= grid[here].cost; };
+      if ((b == 0 || not_above(here - nD)) && (b == nB - 1 || not_above(here + nD)) &&
+          (d == 0 || not_above(here - 1)) && (d == nD - 1 || not_above(here + 1)))
+        minima.push_back(grid[here]);
     }
-  std::stable_sort(valleys.begin(), valleys.end(),
-                   [](const Valley& one, const Valley& other) { return one.cost < other.cost; });
-  if (valleys.size() > static_cast<std::size_t>(count)) valleys.resize(static_cast<std::size_t>(count));
-  return valleys;
+  std::stable_sort(minima.begin(), minima.end(),
+                   [](const GridMinimum& one, const GridMinimum& other) { return one.cost < other.cost; });
+  const auto count = static_cast<std::size_t>(options.starts);
+  if (minima.size() > count) minima.resize(count);
+  return minima;
 }
 
 }  // namespace skylut::fit_detail

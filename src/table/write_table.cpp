@@ -1,0 +1,20 @@
+#include "skylut/table/write_table.hpp"
+
+#include <array>
+#include <string>
+
+#include "skylut/core/atomic_file.hpp"
+#include "skylut/table/table_csv.hpp"
+#include "skylut/table/table_json.hpp"
+
+namespace skylut {
+
+void write_table(const std::filesystem::path& folder, const SkyTable& table,
+                 const std::vector<Direction>& directions, const Provenance& provenance) {
+  const std::string csv = format_table_csv(table.entries);
+  const std::string json = table_json(table, directions, provenance);
+  write_texts_atomically(
+      std::array{FileText{folder / "table.csv", csv}, FileText{folder / "table.json", json}});
+}
+
+}  // namespace skylut
