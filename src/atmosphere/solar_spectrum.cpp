@@ -8,6 +8,7 @@
 
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/suggestion.hpp"
 #include "spectral_table.hpp"
 
 namespace skylut {
@@ -49,8 +50,8 @@ SolarSpectrum SolarSpectrum::load(const Context& context, const std::string& nam
     spectrum.file_ = context.data_file(file).string();
     return spectrum;
   }
-  throw InputError("solar spectrum '{}': unknown name; expected {}, or a .csv file", name_or_file,
-                   fmt::join(names(), ", "));
+  throw InputError("solar spectrum '{}': must be one of {}, or a .csv file{}", name_or_file,
+                   fmt::join(names(), ", "), suggested(name_or_file, names()));
 }
 
 SolarSpectrum::SolarSpectrum(const std::vector<double>& centre_nm, const std::vector<double>& mean_W_m2_nm)

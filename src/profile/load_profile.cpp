@@ -14,6 +14,7 @@
 #include "skylut/core/context.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/suggestion.hpp"
 #include "skylut/profile/profile.hpp"
 
 namespace skylut {
@@ -135,8 +136,8 @@ std::string file_of(const Context& context, const std::string& name_or_path) {
   }
   const std::vector<std::string> names = profile_names(context);
   if (std::find(names.begin(), names.end(), name_or_path) == names.end())
-    throw InputError("profile '{}': unknown name; expected {}, or a .toml file", name_or_path,
-                     fmt::join(names, ", "));
+    throw InputError("profile '{}': must be one of {}, or a .toml file{}", name_or_path,
+                     fmt::join(names, ", "), suggested(name_or_path, names));
   return context.data_file(name_or_path + ".toml").string();
 }
 

@@ -11,6 +11,7 @@
 #include "skylut/core/context.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/suggestion.hpp"
 
 namespace skylut {
 
@@ -40,8 +41,8 @@ std::string file_of(const Context& context, const std::string& name_or_path) {
   }
   const std::vector<std::string> names = aerosol_names(context);
   if (std::find(names.begin(), names.end(), name_or_path) == names.end())
-    throw InputError("aerosol '{}': unknown name; expected {}, or a .toml file", name_or_path,
-                     fmt::join(names, ", "));
+    throw InputError("aerosol '{}': must be one of {}, or a .toml file{}", name_or_path,
+                     fmt::join(names, ", "), suggested(name_or_path, names));
   return context.data_file(fmt::format("{}/{}.toml", kFolder, name_or_path)).string();
 }
 
@@ -146,8 +147,8 @@ void read_stratosphere(const Context& context, const TomlReader& reader, Aerosol
   if (aerosol.stratosphere == aerosol.name)
     aerosol.stratosphere.clear();
   else if (std::find(names.begin(), names.end(), aerosol.stratosphere) == names.end())
-    reader.refuse("aerosol", fmt::format("'{}': unknown name; expected one of {}", aerosol.stratosphere,
-                                         fmt::join(names, ", ")));
+    reader.refuse("aerosol", fmt::format("'{}': must be one of {}{}", aerosol.stratosphere,
+                                         fmt::join(names, ", "), suggested(aerosol.stratosphere, names)));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ skylut_refuses(mie_angle_steps 2 "--angles '0:10:3'" aerosol mie --size-paramete
 skylut_prints(aerosols "maritime-clean +Sea.*\n(.*\n)*rural +Rural" aerosol list)
 skylut_prints(aerosol_show "rural: .*\n(.*\n)*Angstrom exponents\n +350-500 nm +0\\.9" aerosol show rural)
 skylut_prints(aerosol_show_json "\"humidity_percent\": 90" aerosol show urban --humidity 90 --json)
-skylut_refuses(aerosol_unknown 2 "aerosol 'mars': unknown name; expected .*rural" aerosol show mars)
+skylut_refuses(aerosol_unknown 2 "aerosol 'mars': must be one of .*rural" aerosol show mars)
 skylut_refuses(aerosol_missing_file 2 "aerosol 'mine.toml': no such file" map -o sky.csv --sun-zenith-deg 45 --aerosol mine.toml)
 skylut_refuses(aerosol_dry 2 "humidity 80 %.*rural" table --out out --aerosol rural --humidity 80)
 skylut_refuses(aerosol_humidity 2 "--humidity '120': must be a number within 0 to 99 %" aerosol show urban --humidity 120)
