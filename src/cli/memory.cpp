@@ -18,7 +18,7 @@ namespace {
 // Bytes, counted from the types in simulate_sky.cpp and checked against peaks of real runs.
 constexpr double kRadiance = 4.0;
 constexpr double kMapDirection = 100.0;  // direction, colour, a line in the view set
-constexpr double kColumn = 16e3;         // layers and phase functions of one optical column
+constexpr double kColumn = 250e3;        // one optical column: layers, mostly tables of phase functions
 constexpr double kColumnsPerBand = 1.3;  // where lines absorb a band has several
 constexpr double kPictureChannels = 3.0 * 4.0;
 constexpr double kUsable = 0.9;  // the rest is the program's and the system's

@@ -33,6 +33,10 @@ TEST(Number, RefusesWhatIsNone) {
     EXPECT_EQ(refusal([&] { number(kAltitude).read(text); }), "must be a number within 0 to 30 km") << text;
 }
 
+TEST(Number, TakesOneSign) {
+  EXPECT_NE(refusal([] { number({-10.0, 10.0, ""}).read("+-5"); }), "read");
+}
+
 TEST(Number, BothLimitsBelongToTheRange) {
   EXPECT_EQ(number(kAltitude).read("0"), 0.0);
   EXPECT_EQ(number(kAltitude).read("30"), 30.0);

@@ -23,6 +23,14 @@ TEST(Memory, APictureNeedsAsMuchAsWasMeasured) {
   EXPECT_LT(per_pixel, 1100.0);
 }
 
+TEST(Memory, FineWavelengthsNeedAsMuchAsWasMeasured) {
+  // Peaks for one direction, less the 25 MB of the program: 470 MB at 0.5 nm and 984 MB at 0.25 nm over
+  // 300-1000 nm; 1050 MB for 200 loads at 21 wavelengths (271 directions).
+  EXPECT_NEAR(needed_bytes({1, 1401}), 470e6, 0.3 * 470e6);
+  EXPECT_NEAR(needed_bytes({1, 2801}), 984e6, 0.3 * 984e6);
+  EXPECT_NEAR(needed_bytes({271, 21, 200}), 1050e6, 0.4 * 1050e6);
+}
+
 TEST(Memory, GrowsWithEveryList) {
   const RequestSize one{271, 81, 1, 1, 1};
   for (const auto& list : {&RequestSize::directions, &RequestSize::wavelengths, &RequestSize::turbidities,
