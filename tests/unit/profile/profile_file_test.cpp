@@ -174,7 +174,8 @@ TEST_F(ProfileFileTest, WhichProfile) {
   };
   EXPECT_EQ(message("ussa1967"),
             "profile 'ussa1967': must be one of midlatitude-summer, midlatitude-winter, "
-            "subarctic-summer, subarctic-winter, tropical, ussa1976, utm2005, or a .toml file, did you mean ussa1976?");
+            "subarctic-summer, subarctic-winter, tropical, ussa1976, utm2005, or a .toml file, did you mean "
+            "ussa1976?");
   EXPECT_EQ(message("./none.toml"), "profile './none.toml': no such file");
   EXPECT_EQ(message(folder_.string()), "profile '" + folder_.string() + "': no such file");
   EXPECT_EQ(message(""),
