@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The builds of the solver's kernel for SSE2, AVX2 and AVX-512 give the same radiances."""
+"""The builds of the solver's kernel give the same radiances, whichever way they are asked for."""
 
 import json
 import os
@@ -21,17 +21,18 @@ class Simd(unittest.TestCase):
 
     def radiances(self, case, instruction_set):
         """None if this machine lacks the instruction set."""
-        os.environ["SKYLUT_SIMD"] = instruction_set
-        result = self.work.run("solve", str(CASES / f"{case}.json"), "-o", "-")
+        result = self.work.run("solve", str(CASES / f"{case}.json"), "--simd", instruction_set, "-o", "-")
         if result.returncode == 2 and "this processor lacks" in result.stderr:
             return None
         self.assertEqual(result.returncode, 0, result.stderr)
-        return [view["radiance"] for view in json.loads(result.stdout)["results"]]
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["instruction_set"], instruction_set)
+        return [view["radiance"] for view in answer["results"]]
 
     def compare(self, instruction_set):
         for case in ["sph_A_alb03_sza88_alt30", "sph_B_sza60_alt00", "sph_C_sza85_alt00", "sph_B_sza92_alt12",
                      "sph_D_sza94_alt20"]:
-            plain = self.radiances(case, "sse2")
+            plain = self.radiances(case, "portable")
             wide = self.radiances(case, instruction_set)
             if wide is None:
                 self.skipTest(f"no {instruction_set} on this machine")
@@ -44,6 +45,15 @@ class Simd(unittest.TestCase):
 
     def test_avx512(self):
         self.compare("avx512")
+
+    def test_environment_asks_where_no_option_does(self):
+        case = str(CASES / "sph_B_sza60_alt00.json")
+        os.environ["SKYLUT_SIMD"] = "portable"
+        answer = json.loads(self.work.succeed("solve", case, "-o", "-"))
+        self.assertEqual(answer["instruction_set"], "portable")
+        os.environ["SKYLUT_SIMD"] = "mmx"
+        answer = json.loads(self.work.succeed("solve", case, "--simd", "portable", "-o", "-"))
+        self.assertEqual(answer["instruction_set"], "portable")
 
     def test_unknown_instruction_set(self):
         os.environ["SKYLUT_SIMD"] = "mmx"
