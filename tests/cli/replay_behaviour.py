@@ -36,7 +36,9 @@ class Replay(unittest.TestCase):
         """The command that a file records: in JSON, in a comment line, in an attribute of a picture."""
         data = self.work.path(path).read_bytes()
         if path.endswith(".json"):
-            return json.loads(data)["command"]
+            answer = json.loads(data)
+            # A solved case keeps what it says of itself: its own command made the case, not the answer.
+            return answer["provenance"]["command"] if "results" in answer else answer["command"]
         if path.endswith(".csv"):
             lines = data.decode("utf-8").splitlines()
             return next(line for line in lines if line.startswith("# command: "))[len("# command: "):]
@@ -44,6 +46,19 @@ class Replay(unittest.TestCase):
         at = data.index(b"skylutCommand\0string\0") + len(b"skylutCommand\0string\0")
         length = int.from_bytes(data[at:at + 4], "little")
         return data[at + 4:at + 4 + length].decode("utf-8")
+
+    def air_of(self, path):
+        """The description of the air that a file records."""
+        data = self.work.path(path).read_bytes()
+        if path.endswith(".json"):
+            return json.loads(data)["inputs"]["air"]
+        if path.endswith(".csv"):
+            lines = data.decode("utf-8").splitlines()
+            provenance = next(line for line in lines if line.startswith("# provenance: "))
+            return json.loads(provenance[len("# provenance: "):])["inputs"]["air"]
+        at = data.index(b"skylutProvenance\0string\0") + len(b"skylutProvenance\0string\0")
+        length = int.from_bytes(data[at:at + 4], "little")
+        return json.loads(data[at + 4:at + 4 + length])["inputs"]["air"]
 
     def replay(self, path, output_option, output):
         """Runs the command of a file through a shell, with another output; the shell must find the program."""
@@ -120,6 +135,38 @@ class Replay(unittest.TestCase):
                           "--sun-zenith-deg", "88", "--view", "0:0, 85:-90")
         self.replay("one.json", "-o", "two.json")
         self.same("one.json", "two.json")
+
+    def test_fit_of_a_file(self):
+        sky = NAME.format("sky.csv")
+        self.work.succeed("map", "-o", sky, "--sun-zenith-deg", "45", *COARSE, "--profile", "tropical")
+        self.work.succeed("fit", sky, "-o", "one.json")
+        self.replay("one.json", "-o", "two.json")
+        self.same("one.json", "two.json")
+
+    def test_comparison(self):
+        table = NAME.format("table")
+        self.work.succeed("table", "--out", table, *COARSE, "--altitudes-km", "0", "--turbidities", "0.1", "--suns", "45:90")
+        self.work.succeed("compare", table, "--against", "preetham1999", "-o", "one.csv")
+        self.replay("one.csv", "-o", "two.csv")
+        self.same("one.csv", "two.csv")
+
+    def test_solver_case(self):
+        case = NAME.format("case.json")
+        self.work.succeed("profile", "case", "ussa1976", "--wavelength-nm", "550", "--sun-zenith-deg", "60", "-o", case)
+        self.work.succeed("solve", case, "--quality", "draft", "-o", "one.json")
+        self.replay("one.json", "-o", "two.json")
+        self.same("one.json", "two.json")
+
+    def test_other_air_is_other_provenance(self):
+        for name, aerosol in ("one", "rural"), ("two", "urban"):
+            scene = ["--aerosol", aerosol, "--sun-zenith-deg", "45", *COARSE]
+            self.work.succeed("map", "-o", f"{name}.csv", *scene)
+            self.work.succeed("map", "-o", f"{name}.exr", "--size", "4", *scene)
+            self.work.succeed("table", "--out", name, "--aerosol", aerosol, *COARSE, "--altitudes-km", "0", "--turbidities",
+                              "0.1", "--suns", "45:90")
+        for one, two in ("one.csv", "two.csv"), ("one_rgb.exr", "two_rgb.exr"), ("one/table.json", "two/table.json"):
+            self.assertNotEqual(self.command_of(one), self.command_of(two))
+            self.assertNotEqual(self.air_of(one), self.air_of(two), f"{one} and {two} name the same air")
 
 
 if __name__ == "__main__":
