@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skylut/core/check.hpp"
+
 namespace skylut {
 
 std::vector<double> normalised_legendre(int m, int max_l, double mu) {
+  SKYLUT_CHECK_GE(m, 0);
+  SKYLUT_CHECK_LE(m, max_l);
   std::vector<double> lambda(static_cast<std::size_t>(max_l - m + 1));
   // Λ_mm = √((2m-1)!!/(2m)!!) (1-μ²)^{m/2}.
   const double sine = std::sqrt(std::max(0.0, (1.0 - mu) * (1.0 + mu)));

@@ -7,6 +7,8 @@
 #include <functional>
 #include <iterator>
 
+#include "skylut/core/check.hpp"
+
 /// Interpolation among ascending nodes, in one dimension.
 namespace skylut {
 
@@ -14,6 +16,7 @@ namespace skylut {
 /// @param node_of  takes a node's x from an element of the list
 template <class Nodes, class NodeOf = std::identity>
 std::size_t piece_of(const Nodes& nodes, double x, NodeOf node_of = {}) {
+  SKYLUT_CHECK_GE(std::size(nodes), 2U);
   const auto above = std::upper_bound(
       std::begin(nodes) + 1, std::end(nodes) - 1, x,
       [&](double value, const auto& element) { return value < std::invoke(node_of, element); });
@@ -31,6 +34,7 @@ struct Bracket {
 /// @param nodes  one or more, ascending
 template <class Nodes>
 Bracket held_bracket(const Nodes& nodes, double x) {
+  SKYLUT_CHECK_GE(std::size(nodes), 1U);
   const std::size_t last = std::size(nodes) - 1;
   if (x <= nodes[0]) return {0, 0, 0.0};
   if (x >= nodes[last]) return {last, last, 0.0};

@@ -7,6 +7,7 @@
 
 #include "skylut/atmosphere/turbidity.hpp"
 #include "skylut/colour/yxy.hpp"
+#include "skylut/core/check.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/core/wavelength_grid.hpp"
 
@@ -25,6 +26,7 @@ struct SkyMap {
 
   /// Radiance at every wavelength in one direction, W m⁻² sr⁻¹ nm⁻¹.
   std::span<const float> spectrum(std::size_t direction) const {
+    SKYLUT_CHECK_LE((direction + 1) * wavelengths.size(), radiance.size());
     return {radiance.data() + direction * wavelengths.size(), wavelengths.size()};
   }
 };

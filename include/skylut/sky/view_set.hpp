@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "skylut/core/check.hpp"
 #include "skylut/core/directions.hpp"
 
 namespace skylut {
@@ -22,7 +23,11 @@ class ViewSet {
   const std::vector<double>& unique_sun_zeniths_deg() const { return unique_sun_zeniths_deg_; }
 
   /// Index into unique_views() of one view under one sun.
-  std::size_t view_index(std::size_t view, std::size_t sun) const { return view_index_[sun * views_ + view]; }
+  std::size_t view_index(std::size_t view, std::size_t sun) const {
+    SKYLUT_CHECK_LT(view, views_);
+    SKYLUT_CHECK_LT(sun, sun_index_.size());
+    return view_index_[sun * views_ + view];
+  }
 
   /// Index into unique_sun_zeniths_deg() of one sun.
   std::size_t sun_index(std::size_t sun) const { return sun_index_[sun]; }

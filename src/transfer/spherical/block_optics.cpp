@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "skylut/core/check.hpp"
 #include "skylut/core/legendre.hpp"
 
 namespace skylut::transfer {
@@ -11,9 +12,11 @@ namespace {
 /// Scales one column's layers into lane `lane`. [S2-S4]
 void scale_column(const Shells& shells, const OpticalColumn& column, std::size_t legendre_terms, bool delta_m,
                   std::size_t lane, std::size_t lanes, ScaledLayers& scaled) {
+  SKYLUT_CHECK_EQ(column.extinction_depth.size() + 1, shells.levels_km.size());
   // χ_l of every scatterer up to the degree that delta-M cuts off.
   std::vector<std::vector<double>> chi;
   for (const Scatterer& scatterer : column.scatterers) {
+    SKYLUT_CHECK_EQ(scatterer.scattering_depth.size(), column.extinction_depth.size());
     std::vector<double>& moments = chi.emplace_back();
     for (std::size_t l = 0; l <= legendre_terms; ++l)
       moments.push_back(scatterer.phase->moment(static_cast<int>(l)));
@@ -45,6 +48,7 @@ ScaledLayers zero_layers(const Shells& shells, std::size_t legendre_terms, std::
 BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColumn* const> columns,
                          int lanes_, bool delta_m)
     : lanes(lanes_), scatterers(0) {
+  SKYLUT_CHECK(!columns.empty());
   for (int lane = 0; lane < lanes; ++lane)
     column.push_back(columns[std::min(static_cast<std::size_t>(lane), columns.size() - 1)]);
   for (const OpticalColumn* one : column)

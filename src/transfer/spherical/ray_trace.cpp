@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skylut/core/check.hpp"
+
 namespace skylut::transfer {
 
 RayTrace::RayTrace(const ShellGeometry& levels, double longest_step_km, double observer_km, double cos_view) {
@@ -42,6 +44,7 @@ RayTrace::RayTrace(const ShellGeometry& levels, double longest_step_km, double o
   for (std::size_t i = 1; i < crossings.size(); ++i) {
     const RayPoint& from = crossings[i - 1];
     const RayPoint& to = crossings[i];
+    SKYLUT_CHECK_LE(from.distance_km, to.distance_km);
     const int parts = static_cast<int>(std::ceil((to.distance_km - from.distance_km) / longest_step_km));
     for (int part = 1; part < parts; ++part) {
       const double distance = from.distance_km + (to.distance_km - from.distance_km) * part / parts;

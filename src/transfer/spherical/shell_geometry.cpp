@@ -4,10 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "skylut/core/check.hpp"
+
 namespace skylut::transfer {
 
 ShellGeometry::ShellGeometry(std::vector<double> levels_km, double planet_radius_km)
-    : levels_km_(std::move(levels_km)), planet_radius_km_(planet_radius_km) {}
+    : levels_km_(std::move(levels_km)), planet_radius_km_(planet_radius_km) {
+  SKYLUT_CHECK_GE(levels_km_.size(), 2U);
+  SKYLUT_CHECK(std::is_sorted(levels_km_.begin(), levels_km_.end()));
+}
 
 int ShellGeometry::layer_of(double altitude_km) const {
   const auto above = std::upper_bound(levels_km_.begin(), levels_km_.end(), altitude_km);
@@ -15,6 +20,7 @@ int ShellGeometry::layer_of(double altitude_km) const {
 }
 
 bool ShellGeometry::path_to_top(double altitude_km, double cos_zenith, std::vector<double>& length_km) const {
+  SKYLUT_CHECK_GE(altitude_km, 0.0);
   const double radius = planet_radius_km_ + altitude_km;
   const double along = radius * cos_zenith;  // signed distance from the point closest to the centre
   // Distance from the closest point to a shell of altitude h: √(r_h² - p²), p² = r² - along².

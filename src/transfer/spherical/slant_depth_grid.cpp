@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skylut/core/check.hpp"
+
 namespace skylut::transfer {
 
 namespace {
@@ -16,6 +18,8 @@ constexpr double kScaleFraction = 32.0;
 
 /// Cubic Lagrange weights at t among the nodes 0, 1, … count-1, times `factor`. @return first node
 int uniform_weights(double t, int count, double factor, float* weight) {
+  SKYLUT_CHECK_GE(t, 0.0);
+  SKYLUT_CHECK_LE(t, count - 1 + 1e-9);
   const int first = std::clamp(static_cast<int>(t) - 1, 0, count - 4);
   const double u = t - first;
   weight[0] = static_cast<float>(factor * (u - 1.0) * (u - 2.0) * (u - 3.0) / -6.0);
