@@ -118,9 +118,8 @@ struct AltitudeCase {
 AltitudeCase read_altitude_schema(const JsonReader& file) {
   AltitudeCase read;
   const JsonReader levels = file.at("levels_km");
-  read.shells.levels_km =
-      levels.numbers(0.0, domain::kLevel_km.highest,
-                     fmt::format("within 0-{} km (an altitude)", domain::kLevel_km.highest).c_str());
+  read.shells.levels_km = levels.numbers(
+      0.0, domain::kLevel_km.highest, fmt::format("within 0-{} km (an altitude)", domain::kLevel_km.highest));
   if (read.shells.levels_km.front() != 0.0) levels.refuse("the first level must be 0, the ground");
   for (std::size_t i = 1; i < read.shells.levels_km.size(); ++i)
     if (!(read.shells.levels_km[i] > read.shells.levels_km[i - 1]))
@@ -197,8 +196,8 @@ double truncation_error(const Context& context, const AltitudeCase& read, const 
   double largest = 0.0;
   for (std::size_t i = 0; i < request.views.size(); ++i)
     if (whole.at(0, 0, 0, i) > 0.0f)
-      largest =
-          std::max(largest, std::abs(1.0 - double{truncated.at(0, 0, 0, i)} / double{whole.at(0, 0, 0, i)}));
+      largest = std::max(largest, std::abs(1.0 - static_cast<double>(truncated.at(0, 0, 0, i)) /
+                                                     static_cast<double>(whole.at(0, 0, 0, i))));
   return largest;
 }
 

@@ -26,7 +26,7 @@ fs::path data_folder() {
   }
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path installed = program.parent_path().parent_path() / "share/skylut/profiles";
+  fs::path installed = program.parent_path().parent_path() / "share/skylut/profiles";
   if (!program.empty() && fs::is_directory(installed, ignored)) return installed;
   return Context::default_data_folder();
 }

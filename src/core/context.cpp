@@ -18,7 +18,7 @@ fs::path Context::data_file(const std::string& relative_path) const {
   if (data_folder.empty() || !fs::is_directory(data_folder))
     throw WorkError("data folder '{}': is missing: install skylut's profiles, or name their folder",
                     data_folder.string());
-  const fs::path path = data_folder / relative_path;
+  fs::path path = data_folder / relative_path;
   if (!fs::is_regular_file(path)) throw WorkError("{}: data file is missing", path.string());
   return path;
 }

@@ -42,16 +42,16 @@ Kind<fs::path> file_in(const std::string& placeholder) {
 
 Kind<fs::path> file_out() {
   const auto read = [](const std::string& text) {
-    const fs::path file = read_path(text, "file");
+    fs::path file = read_path(text, "file");
     if (file != "-") require_writable_file(file);
     return file;
   };
   return {"FILE", read, plain_path};
 }
 
-Kind<fs::path> file_named(std::vector<std::string> endings) {
+Kind<fs::path> file_named(const std::vector<std::string>& endings) {
   const auto read = [endings](const std::string& text) {
-    const fs::path file = read_path(text, "file");
+    fs::path file = read_path(text, "file");
     if (std::find(endings.begin(), endings.end(), ending_of(file)) == endings.end())
       throw InputError("must be the name of a {} file", listed(endings));
     return file;
@@ -61,7 +61,7 @@ Kind<fs::path> file_named(std::vector<std::string> endings) {
 
 Kind<fs::path> folder_out() {
   const auto read = [](const std::string& text) {
-    const fs::path folder = read_path(text, "folder");
+    fs::path folder = read_path(text, "folder");
     require_writable_folder(folder);
     return folder;
   };

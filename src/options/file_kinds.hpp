@@ -19,7 +19,7 @@ Kind<std::filesystem::path> file_in(const std::string& placeholder = "FILE");
 Kind<std::filesystem::path> file_out();
 
 /// The name of a file that is written; its ending, in whatever case, must be one of those given.
-Kind<std::filesystem::path> file_named(std::vector<std::string> endings);
+Kind<std::filesystem::path> file_named(const std::vector<std::string>& endings);
 
 /// A folder that is written, created if need be.
 Kind<std::filesystem::path> folder_out();

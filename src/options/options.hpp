@@ -42,8 +42,8 @@ class OptionSet {
 
   /// An option whose variable holds its default.
   template <class T>
-  Option& add(std::string name, T& variable, Kind<T> kind, std::string help) {
-    Option& option = append(std::move(name), kind.placeholder, std::move(help));
+  Option& add(const std::string& name, T& variable, Kind<T> kind, const std::string& help) {
+    Option& option = append(name, kind.placeholder, help);
     option.default_text = kind.write(variable);
     option.read = [&variable, kind](const std::string& text) { variable = kind.read(text); };
     option.written = [&variable, kind] { return std::optional(kind.write(variable)); };
@@ -52,8 +52,8 @@ class OptionSet {
 
   /// An option that may have no value.
   template <class T>
-  Option& add(std::string name, std::optional<T>& variable, Kind<T> kind, std::string help) {
-    Option& option = append(std::move(name), kind.placeholder, std::move(help));
+  Option& add(const std::string& name, std::optional<T>& variable, Kind<T> kind, const std::string& help) {
+    Option& option = append(name, kind.placeholder, help);
     if (variable) option.default_text = kind.write(*variable);
     option.read = [&variable, kind](const std::string& text) { variable = kind.read(text); };
     option.written = [&variable, kind] {

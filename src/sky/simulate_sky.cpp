@@ -32,7 +32,7 @@ void add_colours(SkyMap& map, const std::vector<Xyz>& weights) {
     const std::span<const float> spectrum = map.spectrum(direction);
     Xyz sum;
     for (std::size_t i = 0; i < spectrum.size(); ++i) {
-      const double radiance = spectrum[i];
+      const auto radiance = static_cast<double>(spectrum[i]);
       sum.X += weights[i].X * radiance;
       sum.Y += weights[i].Y * radiance;
       sum.Z += weights[i].Z * radiance;
@@ -81,8 +81,9 @@ std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
         const std::size_t band = bands.band(turbidity, i);
         double radiance = 0.0;
         for (std::size_t column = bands.first[band]; column < bands.first[band + 1]; ++column)
-          radiance += bands.weights[column] * double{sky.at(column, observer, views.sun_index(sun),
-                                                            views.view_index(direction, sun))};
+          radiance +=
+              bands.weights[column] * static_cast<double>(sky.at(column, observer, views.sun_index(sun),
+                                                                 views.view_index(direction, sun)));
         map.radiance.push_back(static_cast<float>(irradiance[i] * radiance));
       }
     add_colours(map, weights);

@@ -1,5 +1,7 @@
 #include "common_grid.hpp"
 
+#include <cmath>
+
 namespace skylut::transfer {
 
 // Dense at the terminator, where it changes by
@@ -18,7 +20,7 @@ std::vector<double> sun_nodes(int density) {
   for (const Range& range :
        {Range{0.0, 70.0, 5.0}, Range{70.0, 84.0, 1.0}, Range{84.0, 98.0, 0.5}, Range{98.0, 107.0, 1.0}}) {
     const double step = range.step / density;
-    const int count = static_cast<int>((range.last - range.first) / step + 0.5);
+    const int count = static_cast<int>(std::lround((range.last - range.first) / step));
     for (int i = 0; i < count; ++i) nodes.push_back(range.first + i * step);
   }
   nodes.push_back(107.0);

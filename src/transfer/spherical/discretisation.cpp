@@ -75,7 +75,7 @@ std::vector<int> common_parts(const Shells& shells, const std::vector<double>& d
       model.push_back(extinction_per_km * (0.25 * std::exp(-middle_km / 8.0) + std::exp(-middle_km / 2.0)) *
                       layer_thickness(shells, layer));
     }
-    const std::vector<int> parts = parts_for(model, optical_step);
+    std::vector<int> parts = parts_for(model, optical_step);
     if (sum(parts) > 2 * sum(own) + 20) return own;
     if (std::equal(own.begin(), own.end(), parts.begin(),
                    [](int mine, int common) { return mine <= common; }))
