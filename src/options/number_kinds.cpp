@@ -10,7 +10,8 @@ namespace skylut::cli {
 
 namespace {
 
-constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: every whole number up to it is a double
+[[maybe_unused]] constexpr double kLargestWhole =
+    9007199254740992.0;  // 2^53: every whole number up to it is a double
 
 std::string trimmed(const std::string& text) {
   constexpr const char* kBlanks = " \t";
