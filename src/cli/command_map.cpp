@@ -4,10 +4,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "advice.hpp"
 #include "commands.hpp"
 #include "memory.hpp"
+#include "options/choice_list.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
@@ -35,9 +38,20 @@ struct MapOptions {
   SunOption sun;
   std::optional<std::string> directions;  // of numbers; the others of pictures
   std::optional<std::string> projection;
-  std::optional<std::string> channels;
+  std::optional<std::vector<SkyChannels>> channels;
   std::optional<std::int64_t> size;
 };
+
+Kind<std::string> projection_kind() {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const std::string& name : projection_names()) names.emplace_back(name, name);
+  return choice(std::move(names));
+}
+
+Kind<SkyChannels> channels_kind() {
+  return choice<SkyChannels>(
+      {{"rgb", SkyChannels::rgb}, {"xyz", SkyChannels::xyz}, {"spectral", SkyChannels::spectral}});
+}
 
 // Options of the other kind of file were not meant for this one; those of this one get their defaults, so
 // that they are recorded.
@@ -52,7 +66,7 @@ void settle(MapOptions& options, const OptionSet& given) {
     return;
   }
   options.projection = options.projection.value_or("latlong");
-  options.channels = options.channels.value_or("rgb");
+  options.channels = options.channels.value_or(std::vector{SkyChannels::rgb});
   options.size = options.size.value_or(256);
 }
 
@@ -119,7 +133,7 @@ void write_exr(const Context& context, const MapOptions& options, SkyScene scene
                const std::string& command) {
   const auto height = static_cast<int>(*options.size);
   const std::unique_ptr<Projection> projection = make_projection(*options.projection, height);
-  const std::vector<SkyChannels> channels = parse_sky_channels(*options.channels);
+  const std::vector<SkyChannels>& channels = *options.channels;
   for (const SkyChannels kind : channels) require_writable("-o", sky_exr_path(options.out, kind));
   RequestSize size = size_of(scene);
   size.spectral_file = std::find(channels.begin(), channels.end(), SkyChannels::spectral) != channels.end();
@@ -172,12 +186,11 @@ Command map_command() {
   set.add("--directions", options->directions, name_or_file(),
           "utm271 (default), preetham343 or a CSV file (for .csv)");
   set.group(kPictureGroup);
-  set.add("--projection", options->projection, name_or_file(), "latlong").placeholder = "NAME";
+  set.add("--projection", options->projection, projection_kind(), "latlong, the only one so far");
   set.add("--size", options->size, whole_number(domain::kPictureHeight_pixels),
           "height in pixels, default 256; latlong is twice as wide");
-  set.add("--channels", options->channels, name_or_file(),
-          "rgb (default), xyz, spectral or several: rgb,spectral")
-      .placeholder = "LIST";
+  set.add("--channels", options->channels, choice_list(channels_kind()),
+          "rgb (default), xyz, spectral or several: rgb,spectral");
   options->scene.add_to(set);
   command.run = [options](const OptionSet& given) { run(*options, given); };
   return command;

@@ -1,6 +1,7 @@
 #include "skylut/export/projection.hpp"
 
 #include "skylut/core/errors.hpp"
+#include "skylut/core/suggestion.hpp"
 
 namespace skylut {
 
@@ -30,10 +31,11 @@ std::string LatLongProjection::orientation() const {
          "directions at pixel centres";
 }
 
+std::vector<std::string> projection_names() { return {"latlong"}; }
+
 std::unique_ptr<Projection> make_projection(const std::string& name, int height) {
   if (name == "latlong") return std::make_unique<LatLongProjection>(height);
-  throw InputError(
-      "projection '{}': supported is latlong (fisheye, cube and octahedral are not available yet)", name);
+  throw InputError("projection '{}': must be {}", name, listed(projection_names()));
 }
 
 }  // namespace skylut

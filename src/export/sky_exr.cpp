@@ -126,26 +126,6 @@ void add_triple(Imf::Header& header, Imf::FrameBuffer& frame, const std::array<c
 
 }  // namespace
 
-std::vector<SkyChannels> parse_sky_channels(const std::string& text) {
-  std::vector<SkyChannels> channels;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (part == "rgb") {
-      channels.push_back(SkyChannels::rgb);
-    } else if (part == "xyz") {
-      channels.push_back(SkyChannels::xyz);
-    } else if (part == "spectral") {
-      channels.push_back(SkyChannels::spectral);
-    } else {
-      throw InputError("channels '{}': must be rgb, xyz, spectral or several of them as in rgb,spectral",
-                       text);
-    }
-  }
-  return channels;
-}
-
 std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannels channels) {
   const std::string stem = path.stem().string();
   const std::string ending = suffix(channels);

@@ -47,12 +47,16 @@ skylut_refuses(map_directions_for_picture 2 "--directions: is for .csv" map -o s
   --directions utm271)
 skylut_refuses(map_size_for_numbers 2 "--size: is for .exr" map -o sky.csv --sun-zenith-deg 45 --size 64)
 
-skylut_refuses(map_projection_fisheye 2 "projection 'fisheye': supported is latlong" map -o sky.exr
+skylut_refuses(map_projection_fisheye 2 "--projection 'fisheye': must be latlong" map -o sky.exr
   --sun-zenith-deg 45 --projection fisheye)
-skylut_refuses(map_projection_unknown 2 "projection 'mercator': supported is latlong" map -o sky.exr
+skylut_refuses(map_projection_unknown 2 "--projection 'mercator': must be latlong" map -o sky.exr
   --sun-zenith-deg 45 --projection mercator)
-skylut_refuses(map_channels_unknown 2 "channels 'hsv'.*rgb, xyz, spectral" map -o sky.exr --sun-zenith-deg 45
+skylut_refuses(map_channels_unknown 2 "--channels 'hsv': must be rgb, xyz or spectral" map -o sky.exr --sun-zenith-deg 45
   --channels hsv)
+skylut_refuses(map_channels_misspelt 2 "--channels 'rgb,spectrall': .*did you mean spectral" map -o sky.exr
+  --sun-zenith-deg 45 --channels rgb,spectrall)
+skylut_refuses(map_channels_twice 2 "--channels 'rgb,rgb': must have rgb once" map -o sky.exr --sun-zenith-deg 45
+  --channels rgb,rgb)
 skylut_refuses(map_size_0 2 "--size '0'.*2 to 8192" map -o sky.exr --sun-zenith-deg 45 --size 0)
 skylut_refuses(map_size_word 2 "--size '512x256'" map -o sky.exr --sun-zenith-deg 45 --size 512x256)
 

@@ -45,7 +45,10 @@ class LatLongProjection final : public Projection {
   int height_;
 };
 
-/// @throws InputError  if the name is none of the projections that exist
+/// Those that exist.
+std::vector<std::string> projection_names();
+
+/// @throws InputError  if the name is none of projection_names()
 std::unique_ptr<Projection> make_projection(const std::string& name, int height);
 
 }  // namespace skylut

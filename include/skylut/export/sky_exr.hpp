@@ -19,10 +19,6 @@ enum class SkyChannels {
   spectral  ///< S0.<nm>nm: W m⁻² sr⁻¹ nm⁻¹, with an R,G,B preview (Fichet, Pacanowski & Wilkie 2021)
 };
 
-/// Reads "rgb", "xyz", "spectral" or several of them separated by commas.
-/// @throws InputError naming the text
-std::vector<SkyChannels> parse_sky_channels(const std::string& text);
-
 /// The file that one kind of channels goes to: sky.exr → sky_rgb.exr, sky_xyz.exr, sky_spectral.exr; a
 /// name that has its ending already is kept.
 std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannels channels);

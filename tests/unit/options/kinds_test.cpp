@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "options/choice_list.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 
@@ -17,6 +18,17 @@ std::string refusal(const std::function<void()>& read) {
     return error.what();
   }
   return "read";
+}
+
+TEST(ChoiceList, HoldsNamesOnceEach) {
+  const Kind<std::vector<int>> kind = choice_list(choice<int>({{"rgb", 1}, {"xyz", 2}, {"spectral", 3}}));
+  EXPECT_EQ(kind.read("rgb,spectral"), (std::vector{1, 3}));
+  EXPECT_EQ(kind.read(" xyz , rgb"), (std::vector{2, 1}));
+  EXPECT_EQ(kind.write({3, 1}), "spectral,rgb");
+  for (const char* text : {"", "rgb,", "RGB", "rgb xyz", "hsv"}) EXPECT_THROW(kind.read(text), InputError);
+  EXPECT_EQ(refusal([&] { kind.read("rgb,spectrall"); }),
+            "must be rgb, xyz or spectral, did you mean spectral?");
+  EXPECT_EQ(refusal([&] { kind.read("rgb,rgb"); }), "must have rgb once, not twice");
 }
 
 TEST(Number, IsReadAsPeopleTypeIt) {
