@@ -233,8 +233,8 @@ inline V without_undershoot(V radiance) {
 template <class V>
 class SolvedLanes final : public SolvedBlock {
  public:
-  SolvedLanes(const SweepView& grid, const OpticsView& optics, SlantDepthToSun<V>&& slant_depth,
-              DiffuseField<V>& field)
+  template <class Field>
+  SolvedLanes(const SweepView& grid, const OpticsView& optics, SlantDepthToSun<V>&& slant_depth, Field& field)
       : optics_(optics),
         slant_depth_(static_cast<SlantDepthToSun<V>&&>(slant_depth)),
         slant_peak_depth_(grid.slant_depth, optics.peak_per_km),
@@ -260,14 +260,22 @@ class SolvedLanes final : public SolvedBlock {
   Solution<V> solution_;
 };
 
-template <class V>
-inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
+template <class V, class Sizes>
+inline SolvedBlock* solve_block(const SweepView& grid, const Sizes& sizes, const OpticsView& optics,
                                 const IterationLimits& limits, IterationReport& report) {
   SlantDepthToSun<V> slant_depth(grid.slant_depth, optics.layers.extinction_per_km);
-  DiffuseField<V> field(grid, optics, slant_depth);
+  DiffuseField<V, Sizes> field(grid, sizes, optics, slant_depth);
   report = field.solve(limits);
   if (report.end != IterationReport::kConverged) return nullptr;
   return new SolvedLanes<V>(grid, optics, static_cast<SlantDepthToSun<V>&&>(slant_depth), field);
+}
+
+template <class V>
+inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
+                                const IterationLimits& limits, IterationReport& report) {
+  return with_sizes<V>(
+      grid.polar_nodes, grid.azimuth_nodes, grid.azimuthal_orders, grid.legendre_terms,
+      [&](const auto& sizes) { return solve_block<V>(grid, sizes, optics, limits, report); });
 }
 
 }  // namespace skylut::transfer
