@@ -23,7 +23,7 @@ struct TransferCost {
 
 /// @throws InputError  for values out of range, as solve_sky_radiance does; not for too much work
 TransferCost estimate_cost(const Context& context, const Shells& shells,
-                           std::span<const OpticalColumn> columns, const SkyRequest& request,
+                           std::span<const OpticalColumn> columns, std::span<const Sight> sights,
                            const TransferOptions& options);
 
 /// Memory of this machine, or what its control group leaves to this process, bytes.

@@ -14,7 +14,7 @@ void check_shells(const Shells& shells);
 void check_column(const OpticalColumn& column, std::size_t layers);
 
 /// @throws InputError naming the first value of the shells, columns, request or options that is out of range
-void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request,
-                   const TransferOptions& options);
+void check_request(const Shells& shells, std::span<const OpticalColumn> columns,
+                   std::span<const Sight> sights, const TransferOptions& options);
 
 }  // namespace skylut::transfer
