@@ -44,14 +44,6 @@ std::size_t steps_of(const Work& work, const std::vector<ColumnGroup>& groups,
   return steps;
 }
 
-void add_to_report(std::span<const Block> blocks, TransferReport& report) {
-  report.blocks += blocks.size();
-  for (const Block& block : blocks) {
-    report.iterations_most = std::max(report.iterations_most, block.iteration.iterations);
-    report.error_left = std::max(report.error_left, static_cast<double>(block.iteration.error_left));
-  }
-}
-
 SkyRadiance solve(const Context& context, const Work& work, const std::vector<ColumnGroup>& groups,
                   const std::vector<std::vector<LineOfSight>>& lines) {
   SkyRadiance result(work.columns.size(), work.sights);
@@ -81,7 +73,7 @@ SkyRadiance solve(const Context& context, const Work& work, const std::vector<Co
       });
       for (Block& block : batch) block.field.reset();
     }
-    add_to_report(blocks, report);
+    solution.add_to(report);
   }
   report.kernel = work.kernel.name;
   report.lanes = work.kernel.lanes;

@@ -49,6 +49,14 @@ BandSolution::BandSolution(const Work& work, const std::vector<ColumnGroup>& gro
   }
 }
 
+void BandSolution::add_to(TransferReport& report) const {
+  report.blocks += blocks_.size();
+  for (const Block& block : blocks_) {
+    report.iterations_most = std::max(report.iterations_most, block.iteration.iterations);
+    report.error_left = std::max(report.error_left, static_cast<double>(block.iteration.error_left));
+  }
+}
+
 void solve_field(const Context& context, const Work& work, Block& block) {
   std::vector<const OpticalColumn*> lanes;
   for (const std::size_t column : block.columns) lanes.push_back(&work.columns[column]);

@@ -52,6 +52,9 @@ class BandSolution {
   std::span<Block> blocks() { return blocks_; }
   std::span<const Block> blocks() const { return blocks_; }
 
+  /// How its blocks were solved.
+  void add_to(TransferReport& report) const;
+
  private:
   CommonGrid common_;
   std::vector<std::unique_ptr<Grid>> grids_;

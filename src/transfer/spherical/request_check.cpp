@@ -19,17 +19,6 @@ void check_phase_function(const Scatterer& scatterer) {
       throw InputError("Legendre moment {} of a phase function, {}: must lie within -1 to 1", l, moment);
 }
 
-void check_sight(const Sight& sight, double top_km) {
-  if (const double altitude = sight.observer_altitude_km; !(altitude >= 0.0 && altitude <= top_km))
-    throw InputError("observer altitude {} km: must lie within the layers, 0-{} km", altitude, top_km);
-  require_within("sun zenith", sight.sun_zenith_deg, domain::kSunZenith_deg);
-  const RelativeView& view = sight.view;
-  if (!(view.zenith_deg >= 0.0 && view.zenith_deg <= 180.0 && view.relative_azimuth_deg >= 0.0 &&
-        view.relative_azimuth_deg <= 180.0))
-    throw InputError("view zenith {} deg, relative azimuth {} deg: must lie within 0-180", view.zenith_deg,
-                     view.relative_azimuth_deg);
-}
-
 }  // namespace
 
 void check_column(const OpticalColumn& column, std::size_t layers) {
@@ -67,6 +56,17 @@ void check_shells(const Shells& shells) {
       throw InputError("levels_km: {} after {}, must ascend", levels[i], levels[i - 1]);
   require_within("levels_km", levels.back(), domain::kLevel_km);
   require_within("planet_radius_km", shells.planet_radius_km, domain::kPlanetRadius_km);
+}
+
+void check_sight(const Sight& sight, double top_km) {
+  if (const double altitude = sight.observer_altitude_km; !(altitude >= 0.0 && altitude <= top_km))
+    throw InputError("observer altitude {} km: must lie within the layers, 0-{} km", altitude, top_km);
+  require_within("sun zenith", sight.sun_zenith_deg, domain::kSunZenith_deg);
+  const RelativeView& view = sight.view;
+  if (!(view.zenith_deg >= 0.0 && view.zenith_deg <= 180.0 && view.relative_azimuth_deg >= 0.0 &&
+        view.relative_azimuth_deg <= 180.0))
+    throw InputError("view zenith {} deg, relative azimuth {} deg: must lie within 0-180", view.zenith_deg,
+                     view.relative_azimuth_deg);
 }
 
 void check_request(const Shells& shells, std::span<const OpticalColumn> columns,

@@ -231,6 +231,7 @@ TransferCost estimate(const Work& work, const std::vector<ColumnGroup>& groups,
         std::min(kept, static_cast<double>(kKeptFields_bytes) + largest_kept) +
         std::min(static_cast<double>(work.threads), static_cast<double>(band_blocks)) * largest_scratch;
     cost.fields_bytes = std::max(cost.fields_bytes, at_a_time);
+    cost.all_fields_bytes += kept;
     cost.rays_bytes = std::max(
         cost.rays_bytes, std::min(static_cast<double>(work.threads), count_of(lines[band])) * largest_ray);
   }
