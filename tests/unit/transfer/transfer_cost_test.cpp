@@ -125,7 +125,7 @@ TEST(TransferCost, ManyLevels) {
   }
   TransferOptions options;
   options.most_memory_bytes = 4e9;
-  expect_says(refusal(shells, std::span(&column, 1), kRequest.sights(), options),
+  expect_says(refusal(shells, std::span(&column, 1), kRequest, options),
               {"20001 levels", "4 GB may be used"});
 
   shells.levels_km.resize(401);
@@ -138,7 +138,7 @@ TEST(TransferCost, TooSlow) {
   TransferOptions options;
   options.most_memory_bytes = 1e15;
   const OpticalColumn column = cloud(1e5);
-  expect_says(refusal(kOneLayer, std::span(&column, 1), kRequest.sights(), options),
+  expect_says(refusal(kOneLayer, std::span(&column, 1), kRequest, options),
               {"optical depth 1e+05", "of CPU time, at most 30 min"});
 }
 
