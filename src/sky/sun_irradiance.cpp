@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "band_columns.hpp"
+#include "band_transmittance.hpp"
 #include "sky_quadrature.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/check.hpp"
@@ -26,13 +27,6 @@ void check(const SkyScene& scene, const SunIrradianceOptions& options) {
     throw InputError("sun zenith angle {} deg: must lie within {} to {} deg with diffuse light", sun_deg,
                      domain::kSunZenith_deg.lowest, domain::kSunZenith_deg.highest);
   require_within("sun zenith angle", sun_deg, domain::kAnyZenith_deg);
-}
-
-double band_transmittance(const ConstituentExtinction& constituent, const std::vector<double>& path_factors) {
-  double sum = 0.0;
-  for (const ExtinctionTerm& term : constituent.terms)
-    sum += term.weight * beam_transmittance(path_factors, term.depth);
-  return sum;
 }
 
 void add_direct_beam(const SkyScene& scene, double aod500, SunIrradiance& result) {
