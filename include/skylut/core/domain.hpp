@@ -45,6 +45,7 @@ inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};   ///< half angle of 
 inline constexpr Range kDiscSpacing_deg{0.002, 1.0, "deg"};  ///< of the points that stand for the solar disc
 inline constexpr Range kThreads{0.0, 1024.0, ""};            ///< 0: one per core
 inline constexpr Range kPictureHeight_pixels{2.0, 8192.0, ""};
+inline constexpr std::size_t kMostFrames = 100'000;         ///< of a series of suns
 inline constexpr Range kPhotons{1.0, 1e12, ""};             ///< of the Monte Carlo solver, per direction
 inline constexpr Range kSeed{0.0, 9007199254740992.0, ""};  ///< whole numbers that a double holds: to 2^53
 inline constexpr Range kScatteringOrders{0.0, 1e5, ""};     ///< 0: all
