@@ -14,6 +14,9 @@
 #include "skylut/export/sun_file.hpp"
 #include "skylut/models/closed_form_sun.hpp"
 #include "skylut/report/sun_report.hpp"
+#include "skylut/sky/limb_darkening.hpp"
+#include "skylut/sky/sun_appearance.hpp"
+#include "skylut/sky/sun_disc.hpp"
 #include "sun_option.hpp"
 
 namespace skylut::cli {
@@ -63,12 +66,12 @@ SkyScene scene_of(const Context& context, SunOptions& options) {
   return scene;
 }
 
-void print_facts(const SunIrradiance& sun, const SkyScene& scene) {
+void print_facts(const SunIrradiance& sun, const SunAppearance& appearance, const SkyScene& scene) {
   fmt::print("sun {:.4f} deg from the zenith, azimuth {:.4f} deg, {:.5f} au away, seen from {} km\n",
              sun.sun.zenith_deg, sun.sun.azimuth_deg, scene.sun_distance_au, scene.altitudes_km[0]);
   fmt::print("{}\n", turbidity_text(scene.turbidities[0], *scene.atmosphere));
   if (!sun.beam_arrives) fmt::print("the ground hides the sun: no direct beam\n");
-  fmt::print("{}", sun_sums_text(sun));
+  fmt::print("{}{}", sun_sums_text(sun), sun_appearance_text(appearance));
 }
 
 void run(SunOptions& options, const OptionSet& given) {
@@ -82,18 +85,21 @@ void run(SunOptions& options, const OptionSet& given) {
                                 ? simulate_sun_closed_form(context, scene, *options.model)
                                 : simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg},
                                                options.scene.transfer());
+  const SunAppearance appearance = options.model ? sun_appearance(context, sun, scene.sun_distance_au)
+                                                 : sun_appearance(context, sun, SunDisc(context, scene));
   if (!options.out) {
-    print_facts(sun, scene);
+    print_facts(sun, appearance, scene);
     fmt::print("{}", sun_spectrum_text(sun));
     return;
   }
   const bool json = ending_of(*options.out) == ".json";
   Provenance provenance = options.scene.provenance(context, scene, given.command_line("skylut sun"));
   provenance.set_instruction_set(sun.instruction_set);
+  if (!options.model) provenance.add_source(context, LimbDarkening::file(context));
   write_text_atomically(
       *options.out,
-      json ? sun_json(sun, scene, model_kind().write(options.model), provenance) : sun_csv(sun));
-  print_facts(sun, scene);
+      json ? sun_json(sun, appearance, scene, model_kind().write(options.model), provenance) : sun_csv(sun));
+  print_facts(sun, appearance, scene);
   fmt::print("wrote {}\n", options.out->string());
 }
 

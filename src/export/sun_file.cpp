@@ -29,6 +29,31 @@ std::vector<Column> columns_of(const SunIrradiance& sun) {
   return columns;
 }
 
+using Json = nlohmann::ordered_json;
+
+// Nothing for no light.
+Json colour_json(const std::optional<LightColour>& light) {
+  Json json = Json::object();
+  if (!light) return json;
+  json["illuminance_lux"] = light->illuminance_lux;
+  json["x"] = light->x;
+  json["y"] = light->y;
+  if (light->temperature) {
+    json["cct_k"] = light->temperature->temperature_K;
+    json["duv"] = light->temperature->duv;
+  }
+  json["linear_rec709_lux"] = {light->rgb.r, light->rgb.g, light->rgb.b};
+  return json;
+}
+
+Json disc_json(const SunAppearance& appearance) {
+  Json json{{"angular_diameter_deg", appearance.angular_diameter_deg},
+            {"visible_part", appearance.visible_part},
+            {"mean_luminance_cd_m2", appearance.mean_luminance_cd_m2}};
+  json.update(colour_json(appearance.disc));
+  return json;
+}
+
 }  // namespace
 
 std::string sun_csv(const SunIrradiance& sun) {
@@ -46,9 +71,8 @@ std::string sun_csv(const SunIrradiance& sun) {
   return fmt::to_string(text);
 }
 
-std::string sun_json(const SunIrradiance& sun, const SkyScene& scene, const std::string& method,
-                     const Provenance& provenance) {
-  using Json = nlohmann::ordered_json;
+std::string sun_json(const SunIrradiance& sun, const SunAppearance& appearance, const SkyScene& scene,
+                     const std::string& method, const Provenance& provenance) {
   Json json{{"format", "skylut sun"}, {"format_version", 1}};
   const Json how = provenance.json();
   for (const auto& [key, value] : how.items()) json[key] = value;
@@ -69,6 +93,8 @@ std::string sun_json(const SunIrradiance& sun, const SkyScene& scene, const std:
     sums[quantity] = {{"w_m2", broadband_W_m2(values, sun.wavelengths)},
                       {"lux", illuminance_lux(values, sun.luminous_weight)}};
   }
+  json["disc"] = disc_json(appearance);
+  if (appearance.sky) json["sky"] = colour_json(appearance.sky);
   json["wavelength_nm"] = sun.wavelengths.values_nm();
   for (const auto& [name, values] : columns_of(sun)) json[name] = values;
   return json.dump(1) + "\n";

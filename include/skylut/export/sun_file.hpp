@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "skylut/sky/sun_appearance.hpp"
 #include "skylut/sky/sun_irradiance.hpp"
 
 namespace skylut {
@@ -11,10 +12,11 @@ namespace skylut {
 /// extraterrestrial_w_m2_nm, circumsolar_normal_w_m2_nm (if asked for), then transmittance_<constituent>.
 std::string sun_csv(const SunIrradiance& sun);
 
-/// JSON: the same lists by name, with how they were made and the sums over the wavelengths.
+/// JSON: the same lists by name, with how they were made, the sums over the wavelengths, and under "disc" and
+/// "sky" what the light looks like.
 /// @param scene   that the irradiance was computed for
 /// @param method  "shells" or the name of a closed-form model
-std::string sun_json(const SunIrradiance& sun, const SkyScene& scene, const std::string& method,
-                     const Provenance& provenance);
+std::string sun_json(const SunIrradiance& sun, const SunAppearance& appearance, const SkyScene& scene,
+                     const std::string& method, const Provenance& provenance);
 
 }  // namespace skylut
