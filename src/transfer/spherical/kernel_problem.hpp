@@ -164,6 +164,12 @@ class SolvedBlock {
   /// @param radiance  sr⁻¹, [pair][lane]
   virtual void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
                              const float* peaks, float* radiance) const = 0;
+
+  /// The radiance in parts that know no phase function: Σ_i P_i A_i - Q1_i B_i + Q2_i C_i + D with the
+  /// scatterers' amplitudes A, B, C (see single_scattering_amplitudes) and the diffuse light D, which may
+  /// undershoot 0 where line_of_sight clamps.
+  /// @param parts  sr⁻¹, [A of each scatterer, B of each, C of each, D][pair][lane]
+  virtual void parts_of_sight(const RayView& ray, const DiffuseRayView& diffuse, float* parts) const = 0;
 };
 
 /// Solves the diffuse field of one block; the views must outlive the result. The caller owns it.
