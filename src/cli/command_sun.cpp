@@ -6,6 +6,7 @@
 
 #include "advice.hpp"
 #include "commands.hpp"
+#include "light_kinds.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
@@ -36,6 +37,8 @@ struct SunOptions {
   SunOption sun;
   bool no_diffuse = false;
   double circumsolar_deg = 0.0;
+  std::optional<double> tilt_deg;
+  std::optional<double> tilt_azimuth_deg;
   Model model;
 };
 
@@ -57,6 +60,9 @@ SkyScene scene_of(const Context& context, SunOptions& options) {
   if (options.model && options.circumsolar_deg > 0.0)
     throw InputError("--circumsolar-deg {}: --model {} has no diffuse light, must not be given with it",
                      options.circumsolar_deg, model_kind().write(options.model));
+  if (options.model && options.tilt_deg)
+    throw InputError("--tilt-deg {}: --model {} has no diffuse light, must not be given with it",
+                     *options.tilt_deg, model_kind().write(options.model));
   SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
@@ -64,6 +70,18 @@ SkyScene scene_of(const Context& context, SunOptions& options) {
   // Without diffuse light the sun may be anywhere: its position is wanted at night, too.
   require_low_enough_demands(options, scene.suns.front());
   return scene;
+}
+
+SunIrradianceOptions irradiances(SunOptions& options) {
+  SunIrradianceOptions asked;
+  asked.diffuse = !options.no_diffuse;
+  asked.circumsolar_half_angle_deg = options.circumsolar_deg;
+  if (options.tilt_azimuth_deg && !options.tilt_deg) throw InputError("--tilt-azimuth-deg: needs --tilt-deg");
+  if (options.tilt_deg) {
+    options.tilt_azimuth_deg = options.tilt_azimuth_deg.value_or(TiltedPlane{}.azimuth_deg);  // recorded
+    asked.plane = TiltedPlane{*options.tilt_deg, *options.tilt_azimuth_deg};
+  }
+  return asked;
 }
 
 void print_facts(const SunIrradiance& sun, const SunAppearance& appearance, const SkyScene& scene) {
@@ -77,14 +95,13 @@ void print_facts(const SunIrradiance& sun, const SunAppearance& appearance, cons
 void run(SunOptions& options, const OptionSet& given) {
   require_turbidity_with_its_kind(given);
   if (options.out) require_writable("-o", *options.out);
+  const SunIrradianceOptions asked = irradiances(options);
   const Context context = options.scene.context();
   const SkyScene scene = scene_of(context, options);
   advise_on_turbidity(scene.turbidities, *scene.atmosphere);
   advise_on_wavelengths(context, scene.wavelengths);
-  const SunIrradiance sun = options.model
-                                ? simulate_sun_closed_form(context, scene, *options.model)
-                                : simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg},
-                                               options.scene.transfer());
+  const SunIrradiance sun = options.model ? simulate_sun_closed_form(context, scene, *options.model)
+                                          : simulate_sun(context, scene, asked, options.scene.transfer());
   const SunAppearance appearance = options.model ? sun_appearance(context, sun, scene.sun_distance_au)
                                                  : sun_appearance(context, sun, SunDisc(context, scene));
   if (!options.out) {
@@ -126,6 +143,10 @@ Command sun_command() {
   set.add_flag("--no-diffuse", options->no_diffuse, "only the direct beam, in an instant");
   set.add("--circumsolar-deg", options->circumsolar_deg, number(domain::kCircumsolar_deg),
           "also the diffuse light within this angle of the sun, 0 to 10; 0: not");
+  set.add("--tilt-deg", options->tilt_deg, number(domain::kTilt_deg),
+          "also the irradiance on a plane tilted from the horizontal: 90 is a wall, 180 faces down");
+  set.add("--tilt-azimuth-deg", options->tilt_azimuth_deg, azimuth(),
+          "that the plane faces, clockwise from north; default: 180");
   set.add("--model", options->model, model_kind(),
           "shells (ours), or a closed form for the direct beam alone: iqbal or smarts-like");
   options->scene.add_to(set);

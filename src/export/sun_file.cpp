@@ -17,7 +17,11 @@ std::vector<Column> irradiance_columns(const SunIrradiance& sun) {
                               {"diffuse_horizontal_w_m2_nm", sun.diffuse_horizontal},
                               {"global_horizontal_w_m2_nm", sun.global_horizontal()},
                               {"extraterrestrial_w_m2_nm", sun.extraterrestrial},
-                              {"circumsolar_normal_w_m2_nm", sun.circumsolar_normal}};
+                              {"circumsolar_normal_w_m2_nm", sun.circumsolar_normal},
+                              {"plane_direct_w_m2_nm", sun.plane_direct},
+                              {"plane_sky_w_m2_nm", sun.plane_sky},
+                              {"plane_ground_w_m2_nm", sun.plane_ground},
+                              {"plane_global_w_m2_nm", sun.plane_global()}};
   std::erase_if(columns, [](const Column& column) { return column.second.empty(); });
   return columns;
 }
@@ -83,6 +87,7 @@ std::string sun_json(const SunIrradiance& sun, const SunAppearance& appearance, 
   json["altitude_km"] = scene.altitudes_km.at(0);
   json["turbidity"] = {{"kind", turbidity_kind_name(turbidity.kind)}, {"value", turbidity.value}};
   json["sun"] = {{"zenith_deg", sun.sun.zenith_deg}, {"azimuth_deg", sun.sun.azimuth_deg}};
+  if (sun.plane) json["plane"] = {{"tilt_deg", sun.plane->tilt_deg}, {"azimuth_deg", sun.plane->azimuth_deg}};
   json["beam_arrives"] = sun.beam_arrives;
   json["sun_distance_au"] = scene.sun_distance_au;
   json["solar"] = scene.solar;

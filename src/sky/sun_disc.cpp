@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "band_transmittance.hpp"
+#include "horizon.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/check.hpp"
 #include "skylut/core/constants.hpp"
@@ -44,14 +45,6 @@ constexpr int kTransmittanceNodes = 257;
 constexpr int kOrder = 48;
 constexpr int kLowestOrder = 16;  // for points
 
-// Zenith angle of the ground's horizon; on the visible side of it by far more than rounding.
-double horizon_deg(double planet_radius_km, double altitude_km) {
-  if (altitude_km == 0.0) return 90.0;
-  const double tangent_km = std::sqrt(altitude_km * (2.0 * planet_radius_km + altitude_km));
-  constexpr double kVisibleSide_deg = 1e-9;
-  return 90.0 + std::atan(tangent_km / planet_radius_km) * kDegreesPerRadian - kVisibleSide_deg;
-}
-
 }  // namespace
 
 double sun_angular_radius_deg(double distance_au) {
@@ -75,7 +68,7 @@ SunDisc::SunDisc(const Context& context, const SkyScene& scene) : wavelengths_(s
   sun_ = scene.suns[0];
   angular_radius_deg_ = sun_angular_radius_deg(scene.sun_distance_au);
   solid_angle_sr_ = sun_solid_angle_sr(scene.sun_distance_au);
-  horizon_zenith_deg_ = horizon_deg(air.shells().planet_radius_km, altitude_km);
+  horizon_zenith_deg_ = horizon_zenith_deg(air.shells().planet_radius_km, altitude_km);
 
   const LimbDarkening darkening = LimbDarkening::load(context);
   mean_above_air_ = extraterrestrial_irradiance(context, scene);

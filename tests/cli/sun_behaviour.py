@@ -72,6 +72,18 @@ class Sun(unittest.TestCase):
         # A closed form knows the beam alone: all of the disc, or none.
         self.assertRegex(self.sun("--sun-zenith-deg", "60", "--model", "iqbal"), r"disc .*cd/m2 on average")
 
+    def test_light_on_a_plane(self):
+        screen = self.sun("-o", "wall.json", "--sun-zenith-deg", "60", "--tilt-deg", "90", "--tilt-azimuth-deg", "200")
+        self.assertIn("on a plane tilted by 90 deg that faces azimuth 200 deg", screen)
+        sums = json.loads(self.work.path("wall.json").read_text(encoding="utf-8"))["sums"]
+        cosine = math.sin(math.radians(60)) * math.cos(math.radians(20))
+        self.assertAlmostEqual(sums["plane_direct"]["lux"] / sums["direct_normal"]["lux"], cosine, places=9)
+        self.assertAlmostEqual(sums["plane_ground"]["lux"] / sums["global_horizontal"]["lux"], 0.1, delta=0.001)
+        self.assertAlmostEqual(sums["plane_global"]["lux"], sum(sums[part]["lux"] for part in
+                                                                ("plane_direct", "plane_sky", "plane_ground")), places=6)
+        command = json.loads(self.work.path("wall.json").read_text(encoding="utf-8"))["command"]
+        self.assertIn("--tilt-deg 90 --tilt-azimuth-deg 200", command)
+
     def test_its_command_makes_the_file_again(self):
         self.sun("-o", "first.json", "--sun-zenith-deg", "75", "--altitude-km", "2", "--albedo", "snow",
                  "--solar", "kurucz1992", "--date", "2024-01-03", "--ozone-du", "250")

@@ -42,6 +42,7 @@ inline constexpr Range kGroundHeight_m{-500.0, 9000.0, "m"};  ///< of the ground
 inline constexpr Range kPlanetRadius_km{1000.0, 1e9, "km"};
 inline constexpr Range kLevel_km{0.0, 1e4, "km"};            ///< of a layer, above the ground
 inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};   ///< half angle of the cone around the sun
+inline constexpr Range kTilt_deg{0.0, 180.0, "deg"};         ///< of a plane from the horizontal
 inline constexpr Range kDiscSpacing_deg{0.002, 1.0, "deg"};  ///< of the points that stand for the solar disc
 inline constexpr Range kThreads{0.0, 1024.0, ""};            ///< 0: one per core
 inline constexpr Range kPictureHeight_pixels{2.0, 8192.0, ""};

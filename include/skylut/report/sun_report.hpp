@@ -7,7 +7,8 @@
 
 namespace skylut {
 
-/// Sums over the wavelengths, W/m² and lux, a line for each kind of light.
+/// Sums over the wavelengths, W/m² and lux, a line for each kind of light; then those on a plane, if there is
+/// one.
 std::string sun_sums_text(const SunIrradiance& sun);
 
 /// The disc's size and luminance, then the colours of the sun's and the sky's light, a line for each.

@@ -38,6 +38,24 @@ TEST(SunFile, WhatWasNotComputedIsLeftOut) {
             "500,1,2,0.01,0.5,1\n505,0.5,1.9,0.01,0.25,1\n");
 }
 
+TEST(SunFile, LightOnAPlane) {
+  SunIrradiance sun = two_wavelengths();
+  sun.plane = TiltedPlane{90.0, 45.0};
+  sun.plane_direct = {0.5, 0.25};
+  sun.plane_sky = {0.125, 0.125};
+  sun.plane_ground = {0.0625, 0.0};
+  const std::string text = sun_csv(sun);
+  EXPECT_NE(text.find(",plane_direct_w_m2_nm,plane_sky_w_m2_nm,plane_ground_w_m2_nm,plane_global_w_m2_nm,"),
+            std::string::npos);
+  EXPECT_NE(text.find(",0.5,0.125,0.0625,0.6875,"), std::string::npos) << text;
+  SkyScene scene;
+  scene.altitudes_km = {0.0};
+  scene.turbidities = {{TurbidityKind::aod500, 0.1}};
+  const auto json = nlohmann::json::parse(sun_json(sun, {}, scene, "shells", Provenance()));
+  EXPECT_EQ(json["plane"]["azimuth_deg"], 45.0);
+  EXPECT_EQ(json["sums"]["plane_global"]["w_m2"], 5.0 * (0.6875 + 0.375));
+}
+
 TEST(SunFile, JsonSaysHowItWasMade) {
   SkyScene scene;
   scene.altitudes_km = {1.5};
