@@ -68,12 +68,13 @@ std::int64_t day_seconds(const UtcTime& time) {
 UtcTime later(const UtcTime& start, std::int64_t seconds) {
   const std::int64_t of_day =
       start.hour * kHour_s + start.minute * kMinute_s + static_cast<std::int64_t>(start.second) + seconds;
+  const std::int64_t days = of_day / kDay_s;
   double epoch = 0.0;
   double day = 0.0;
   eraCal2jd(start.year, start.month, start.day, &epoch, &day);
   UtcTime time;
   double fraction = 0.0;
-  eraJd2cal(epoch, day + static_cast<double>(of_day / kDay_s), &time.year, &time.month, &time.day, &fraction);
+  eraJd2cal(epoch, day + static_cast<double>(days), &time.year, &time.month, &time.day, &fraction);
   time.hour = static_cast<int>(of_day % kDay_s / kHour_s);
   time.minute = static_cast<int>(of_day % kHour_s / kMinute_s);
   time.second = static_cast<double>(of_day % kMinute_s);

@@ -65,6 +65,7 @@ SkyQuadrature plane_quadrature(const TiltedPlane& plane, PlanePart part, const D
       crowded(pieces(above ? 0.0 : 90.0, above ? 90.0 : 180.0,
                      {sun.zenith_deg, horizon_zenith_deg, touching_deg, 180.0 - touching_deg}));
   const double turn_deg = folded_relative_azimuth_deg(plane.azimuth_deg, sun.azimuth_deg);
+  const TiltedPlane turned{plane.tilt_deg, turn_deg};  // with azimuths counted from the sun's
   SkyQuadrature result;
   for (std::size_t i = 0; i < zenith.node.size(); ++i) {
     const double theta = zenith.node[i] * kRadiansPerDegree;
@@ -76,8 +77,7 @@ SkyQuadrature plane_quadrature(const TiltedPlane& plane, PlanePart part, const D
     for (std::size_t k = 0; k < azimuth.node.size(); ++k) {
       double cosines = 0.0;
       for (const double side : {-1.0, 1.0})
-        cosines += std::max(
-            0.0, cos_incidence({plane.tilt_deg, turn_deg}, {zenith.node[i], side * azimuth.node[k]}));
+        cosines += std::max(0.0, cos_incidence(turned, {zenith.node[i], side * azimuth.node[k]}));
       if (cosines <= 0.0) continue;
       result.views.push_back({zenith.node[i], azimuth.node[k]});
       result.weight.push_back(cosines * std::sin(theta) * zenith.weight[i] * azimuth.weight[k] *
