@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "horizon.hpp"
 #include "sky_patch.hpp"
 #include "skylut/core/check.hpp"
 #include "skylut/core/constants.hpp"
@@ -186,7 +187,7 @@ ContinuousSky::ContinuousSky(const Context& context, std::shared_ptr<const Solve
                              const ContinuousSkyOptions& options)
     : solved_(std::move(solved)),
       sun_(sun),
-      horizon_zenith_deg_(skylut::horizon_zenith_deg(altitude_km, solved_->shells().planet_radius_km)),
+      horizon_zenith_deg_(skylut::horizon_zenith_deg(solved_->shells().planet_radius_km, altitude_km)),
       scale_(1.0 / (sun_distance_au * sun_distance_au)) {
   require_within("altitude", altitude_km, domain::kObserver_km);
   require_within("sun zenith angle", sun.zenith_deg, domain::kSunZenith_deg);

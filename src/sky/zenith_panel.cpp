@@ -110,10 +110,6 @@ std::vector<ZenithPanel> zenith_panels(std::span<const double> levels_km, double
   return panels;
 }
 
-double horizon_zenith_deg(double observer_km, double planet_radius_km) {
-  return 180.0 - std::asin(planet_radius_km / (planet_radius_km + observer_km)) * kDegreesPerRadian;
-}
-
 std::vector<double> lobatto_points(int count) {
   std::vector<double> points;
   for (int j = 0; j < count; ++j) points.push_back(-std::cos(kPi * j / (count - 1)));

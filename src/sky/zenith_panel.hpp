@@ -54,9 +54,6 @@ class ZenithPanel {
 std::vector<ZenithPanel> zenith_panels(std::span<const double> levels_km, double observer_km,
                                        double planet_radius_km);
 
-/// Zenith angle of the horizon: 90° + dip.
-double horizon_zenith_deg(double observer_km, double planet_radius_km);
-
 /// Chebyshev-Lobatto points -cos(πj/(n-1)).
 std::vector<double> lobatto_points(int count);
 
