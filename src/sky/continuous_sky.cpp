@@ -56,13 +56,20 @@ std::vector<Comparison> comparisons_of(const SkyPatch& patch) {
   return all;
 }
 
-double relative_error(std::span<const float> found, std::span<const float> exact) {
+/// The relative error of luminance, or a third of that of the worst wavelength if it is more.
+double relative_error(const SolvedSky& sky, std::span<const float> found, std::span<const float> exact) {
+  constexpr double kWavelengthShare = 1.0 / 3.0;
   double largest = 0.0;
-  for (std::size_t i = 0; i < exact.size(); ++i)
-    if (exact[i] > 0.0f)
-      largest =
-          std::max(largest, std::abs(static_cast<double>(found[i]) / static_cast<double>(exact[i]) - 1.0));
-  return largest;
+  double luminance = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const auto value = static_cast<double>(exact[i]);
+    const double off = static_cast<double>(found[i]) - value;
+    if (value > 0.0) largest = std::max(largest, kWavelengthShare * std::abs(off) / value);
+    luminance += sky.colour_weights()[i].Y * value;
+    difference += sky.colour_weights()[i].Y * off;
+  }
+  return luminance > 0.0 ? std::max(largest, std::abs(difference) / luminance) : largest;
 }
 
 PatchDirection patch_direction(double zenith_deg, double relative_azimuth_deg, double sun_zenith_deg) {
@@ -156,7 +163,7 @@ class PatchBuilder {
       for (std::size_t k = 0; k < with.azimuths_deg.size(); ++k) {
         SkyPatch::radiance(sky_, row, patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_),
                            scratch, found);
-        error = std::max(error, relative_error(found, std::span(with.exact).subspan(k * width, width)));
+        error = std::max(error, relative_error(sky_, found, std::span(with.exact).subspan(k * width, width)));
       }
     }
   }

@@ -47,7 +47,8 @@ class ContinuousSky final : public SkyLight {
   void radiance(std::span<const Direction> directions, std::span<float> radiance) const override;
   void colour(std::span<const Direction> directions, std::span<Xyz> colour) const override;
 
-  /// The largest relative error found where the patches were compared with lines of sight.
+  /// The largest relative error found where the patches were compared with lines of sight: of luminance, or a
+  /// third of a wavelength's.
   double error() const { return error_; }
   /// Zenith angles and azimuths that were computed, all patches together.
   std::size_t nodes() const;
