@@ -187,7 +187,7 @@ Command map_command() {
           "utm271 (default), preetham343 or a CSV file (for .csv)");
   set.group(kPictureGroup);
   set.add("--projection", options->projection, projection_kind(), "latlong, the only one so far");
-  set.add("--size", options->size, whole_number(domain::kPictureHeight_pixels),
+  set.add("--size", options->size, whole_number(domain::kPictureSize_pixels),
           "height in pixels, default 256; latlong is twice as wide");
   set.add("--channels", options->channels, choice_list(channels_kind()),
           "rgb (default), xyz, spectral or several: rgb,spectral");
