@@ -42,11 +42,7 @@ struct MapOptions {
   std::optional<std::int64_t> size;
 };
 
-Kind<std::string> projection_kind() {
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const std::string& name : projection_names()) names.emplace_back(name, name);
-  return choice(std::move(names));
-}
+Kind<std::string> projection_kind() { return choice<std::string>({{"latlong", "latlong"}}); }
 
 Kind<SkyChannels> channels_kind() {
   return choice<SkyChannels>(
@@ -132,18 +128,21 @@ void write_csv(const Context& context, const MapOptions& options, SkyScene scene
 void write_exr(const Context& context, const MapOptions& options, SkyScene scene,
                const std::string& command) {
   const auto height = static_cast<int>(*options.size);
-  const std::unique_ptr<Projection> projection = make_projection(*options.projection, height);
+  const auto projections = make_projections({*options.projection, height, {}});
+  const Projection& projection = *projections.front();
   const std::vector<SkyChannels>& channels = *options.channels;
   for (const SkyChannels kind : channels) require_writable("-o", sky_exr_path(options.out, kind));
   RequestSize size = size_of(scene);
   size.spectral_file = std::find(channels.begin(), channels.end(), SkyChannels::spectral) != channels.end();
   require_memory_for_picture(height, size);
-  scene.directions = projection->directions();
-  scene.directions_name = projection->name();
+  for (int row = 0; row < projection.height(); ++row)
+    for (int column = 0; column < projection.width(); ++column)
+      scene.directions.push_back(projection.direction(column, row).value());
+  scene.directions_name = projection.name();
   const SkyMap map = simulate(context, options, scene);
   const Provenance provenance = provenance_of(context, options, scene, map, command);
   for (const SkyChannels kind : channels)
-    write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind, provenance);
+    write_sky_exr(sky_exr_path(options.out, kind), map, projection, kind, provenance);
   print_facts(map, scene);
   if (const std::size_t outside = count_outside_rec709(map); outside > 0)
     fmt::print("{} pixels have a colour outside Rec. 709: a negative R, G or B, kept as it is\n", outside);

@@ -57,7 +57,7 @@ skylut_refuses(map_channels_misspelt 2 "--channels 'rgb,spectrall': .*did you me
   --sun-zenith-deg 45 --channels rgb,spectrall)
 skylut_refuses(map_channels_twice 2 "--channels 'rgb,rgb': must have rgb once" map -o sky.exr --sun-zenith-deg 45
   --channels rgb,rgb)
-skylut_refuses(map_size_0 2 "--size '0'.*2 to 8192" map -o sky.exr --sun-zenith-deg 45 --size 0)
+skylut_refuses(map_size_0 2 "--size '0'.*2 to 16384" map -o sky.exr --sun-zenith-deg 45 --size 0)
 skylut_refuses(map_size_word 2 "--size '512x256'" map -o sky.exr --sun-zenith-deg 45 --size 512x256)
 
 # Options that do not exist, requests that do not fit.
