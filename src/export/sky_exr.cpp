@@ -49,6 +49,8 @@ std::string suffix(SkyChannels channels) {
       return "_rgb";
     case SkyChannels::xyz:
       return "_xyz";
+    case SkyChannels::luminance:
+      return "_luminance";
     case SkyChannels::spectral:
       return "_spectral";
   }

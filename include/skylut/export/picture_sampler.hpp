@@ -15,8 +15,11 @@ struct PixelSample;
 /// Where the sky is smooth against a pixel its middle stands for it. Where it is not, the pixel is cut in
 /// halves until the pieces are: near the geometric horizon, where the light jumps and changes over angles of
 /// the order of the distance from it; around the sun (aureole) likewise; and wherever a piece is wider than
-/// 5°. The pieces' middles count by their solid angles. Pixels of 0.02° are cut where the horizon itself
-/// crosses them, into 4. A picture of 512 rows takes about 1.1 directions a pixel, one of 4096 rows 1.01.
+/// 5°. The pieces' middles count by their solid angles. Small pixels that the horizon crosses are cut in 4
+/// each way, those of 0.02° and less only where the horizon runs along their edge. With the sun at 45° a
+/// latlong picture of 64, 512 and 1024 rows takes 1.82, 1.04 and 1.02 directions a pixel, a fisheye 5.6, 1.30
+/// and 1.14. Illuminances summed from 512 rows are right to 0.03 % for a jump at the horizon and an aureole
+/// that falls to half in 2° (tests/unit/export/picture_sampler_test.cpp).
 ///
 /// The sky and the projection must outlive the sampler. Calls may run in parallel.
 class PictureSampler {

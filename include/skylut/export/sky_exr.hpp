@@ -7,17 +7,10 @@
 
 #include "skylut/core/provenance.hpp"
 #include "skylut/export/projection.hpp"
+#include "skylut/export/sky_channels.hpp"
 #include "skylut/sky/sky_map.hpp"
 
 namespace skylut {
-
-/// What the channels of an OpenEXR sky map hold. Each goes to a file of its own, because readers that
-/// expect R,G,B misread or refuse a file that has anything else.
-enum class SkyChannels {
-  rgb,      ///< R,G,B: linear Rec. 709, cd m⁻² (luminance 0.2126 R + 0.7152 G + 0.0722 B)
-  xyz,      ///< X,Y,Z: CIE 1931 2°, Y in cd m⁻²
-  spectral  ///< S0.<nm>nm: W m⁻² sr⁻¹ nm⁻¹, with an R,G,B preview (Fichet, Pacanowski & Wilkie 2021)
-};
 
 /// The file that one kind of channels goes to: sky.exr → sky_rgb.exr, sky_xyz.exr, sky_spectral.exr; a
 /// name that has its ending already is kept.
