@@ -30,7 +30,7 @@ set(SKYLUT_PACKAGES_profile tomlplusplus)
 set(SKYLUT_PACKAGES_scattering tomlplusplus)
 set(SKYLUT_PACKAGES_site GEOGRAPHICLIB ERFA)
 set(SKYLUT_PACKAGES_fit Ceres)
-set(SKYLUT_PACKAGES_export OpenEXR)
+set(SKYLUT_PACKAGES_export OpenEXR PNG)
 set(SKYLUT_BUILDS_WITH_transfer Eigen3)
 set(SKYLUT_BUILDS_WITH_fit Eigen3)
 set(SKYLUT_BUILDS_WITH_options CLI11)
@@ -72,6 +72,8 @@ macro(skylut_find package)
     find_package(Ceres 2.1 REQUIRED)
   elseif("${package}" STREQUAL "OpenEXR")  # sky maps
     find_package(OpenEXR 3.1 REQUIRED CONFIG)
+  elseif("${package}" STREQUAL "PNG")  # previews
+    find_package(PNG 1.6 REQUIRED)
   elseif("${package}" STREQUAL "CLI11")  # command line
     find_package(CLI11 2.1 REQUIRED CONFIG)
   else()
