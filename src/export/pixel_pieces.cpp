@@ -57,12 +57,18 @@ struct PixelPieces::Extent {
   double zenith_down_deg = 0.0;
   double radius_deg = 0.0;  // bound on the distance from the middle to a corner
 
-  Extent(const Projection& projection, const Piece& piece) {
-    middle = projection.direction_at(piece.middle_x(), piece.middle_y());
-    const std::array corners{projection.direction_at(piece.left, piece.top),
-                             projection.direction_at(piece.right, piece.top),
-                             projection.direction_at(piece.left, piece.bottom),
-                             projection.direction_at(piece.right, piece.bottom)};
+  // Upper left, upper right, lower left, lower right.
+  using Corners = std::array<std::optional<Direction>, 4>;
+
+  static Extent of(const Projection& projection, const Piece& piece) {
+    return {projection.direction_at(piece.middle_x(), piece.middle_y()),
+            {projection.direction_at(piece.left, piece.top), projection.direction_at(piece.right, piece.top),
+             projection.direction_at(piece.left, piece.bottom),
+             projection.direction_at(piece.right, piece.bottom)}};
+  }
+
+  Extent(const std::optional<Direction>& middle_direction, const Corners& corners)
+      : middle(middle_direction) {
     include(middle);
     for (const auto& corner : corners) include(corner);
     if (directions < 5) return;
@@ -154,18 +160,25 @@ void PixelPieces::collect(const Piece& piece, const Extent& extent, double fines
     first.bottom = second.top = piece.middle_y();
     first.cuts_down = second.cuts_down = piece.cuts_down + 1;
   }
-  collect(first, Extent(projection_, first), finest_deg, samples);
-  collect(second, Extent(projection_, second), finest_deg, samples);
+  collect(first, Extent::of(projection_, first), finest_deg, samples);
+  collect(second, Extent::of(projection_, second), finest_deg, samples);
 }
 
 std::vector<PixelSample> PixelPieces::of_columns(int row, int first_column, int last_column) const {
   std::vector<PixelSample> samples;
   samples.reserve(static_cast<std::size_t>(last_column - first_column));
+  // Neighbours share corners.
+  const auto corners_at = [&](int column) {
+    return std::array{projection_.direction_at(column, row), projection_.direction_at(column, row + 1)};
+  };
+  auto right = corners_at(first_column);
   for (int column = first_column; column < last_column; ++column) {
+    const auto left = right;
+    right = corners_at(column + 1);
     const auto index = static_cast<std::size_t>(column - first_column);
     const Piece pixel{
         static_cast<double>(column), column + 1.0, static_cast<double>(row), row + 1.0, index, 0, 0};
-    const Extent extent(projection_, pixel);
+    const Extent extent(projection_.direction(column, row), {left[0], right[0], left[1], right[1]});
     const std::size_t first = samples.size();
     collect(pixel, extent, extent.finest_deg(horizon_zenith_deg_), samples);
     double sum = 0.0;

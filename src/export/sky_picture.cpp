@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 
 #include "export/exr_file.hpp"
 #include "export/exr_header.hpp"
@@ -52,9 +51,9 @@ bool wants_spectra(const PictureOptions& options) {
 struct Strip {
   int first_row = 0;
   int rows = 0;
-  std::vector<Xyz> colour;              // [row][column]
-  std::vector<float> radiance;          // [row][column][wavelength], or empty
-  std::vector<std::size_t> directions;  // [row]: looked in
+  std::vector<Xyz> colour;             // [row][column]
+  std::vector<float> radiance;         // [row][column][wavelength], or empty
+  std::vector<PictureSummary> of_row;  // without files
 };
 
 // One picture on its way: its files, and the strip that is being computed while the one before is written.
@@ -84,7 +83,7 @@ class PictureWriter {
         for (std::size_t i = 0; i < options_.channels.size() && written.rows > 0; ++i)
           write_strip(files[first_file + i], written, options_.channels[i]);
       });
-      count(strip);
+      for (const PictureSummary& row_summary : strip.of_row) summary_.add(row_summary);
       row += strip.rows;
       written = std::move(strip);
       if (context_.progress) context_.progress("picture", done + static_cast<std::size_t>(row), all);
@@ -97,7 +96,7 @@ class PictureWriter {
     const auto count = static_cast<std::size_t>(rows);
     strip.colour.resize(count * width());
     strip.radiance.resize(count * width() * wavelengths_);
-    strip.directions.resize(count);
+    strip.of_row.resize(count);
     return strip;
   }
 
@@ -105,9 +104,20 @@ class PictureWriter {
     const std::span<Xyz> colour(strip.colour);
     const std::span<float> radiance(strip.radiance);
     const std::size_t values = width() * wavelengths_;
-    strip.directions[row] =
-        sampler_.sample_row(strip.first_row + static_cast<int>(row), colour.subspan(row * width(), width()),
-                            radiance.subspan(row * values, values));
+    const int picture_row = strip.first_row + static_cast<int>(row);
+    const auto row_colour = colour.subspan(row * width(), width());
+    PictureSummary& summary = strip.of_row[row];
+    summary.directions = sampler_.sample_row(picture_row, row_colour, radiance.subspan(row * values, values));
+    for (int column = 0; column < projection_.width(); ++column)
+      if (projection_.direction(column, picture_row))
+        summary.add(pixel_summary(row_colour[static_cast<std::size_t>(column)]));
+  }
+
+  PictureSummary pixel_summary(const Xyz& colour) const {
+    const LinearRgb rgb = rgb_.to_rgb(colour);
+    // Rounding of a colour on the edge of the space is not outside.
+    const bool outside = std::min({rgb.r, rgb.g, rgb.b}) < -1e-7 * colour.Y;
+    return {{}, 1, 0, colour.Y, colour.Y, outside ? 1u : 0u};
   }
 
   void write_strip(ExrFile& file, const Strip& strip, SkyChannels channels) const {
@@ -137,24 +147,6 @@ class PictureWriter {
     return values;
   }
 
-  void count(const Strip& strip) {
-    for (int row = 0; row < strip.rows; ++row) {
-      summary_.directions += strip.directions[static_cast<std::size_t>(row)];
-      for (int column = 0; column < projection_.width(); ++column) {
-        if (!projection_.direction(column, strip.first_row + row)) continue;
-        const Xyz& colour =
-            strip.colour[static_cast<std::size_t>(row) * width() + static_cast<std::size_t>(column)];
-        ++summary_.pixels;
-        summary_.darkest_cd_m2 = std::min(summary_.darkest_cd_m2, colour.Y);
-        summary_.brightest_cd_m2 = std::max(summary_.brightest_cd_m2, colour.Y);
-        const LinearRgb rgb = rgb_.to_rgb(colour);
-        // As the file's floats: what rounds to 0 is not outside.
-        if (static_cast<float>(std::min({rgb.r, rgb.g, rgb.b})) < -1e-7f * static_cast<float>(colour.Y))
-          ++summary_.outside_rgb;
-      }
-    }
-  }
-
   std::size_t width() const { return static_cast<std::size_t>(projection_.width()); }
 
   const Context& context_;
@@ -167,6 +159,15 @@ class PictureWriter {
 };
 
 }  // namespace
+
+void PictureSummary::add(const PictureSummary& other) {
+  files.insert(files.end(), other.files.begin(), other.files.end());
+  pixels += other.pixels;
+  directions += other.directions;
+  darkest_cd_m2 = std::min(darkest_cd_m2, other.darkest_cd_m2);
+  brightest_cd_m2 = std::max(brightest_cd_m2, other.brightest_cd_m2);
+  outside_rgb += other.outside_rgb;
+}
 
 std::vector<fs::path> picture_files(const fs::path& path, const PictureOptions& options) {
   std::vector<fs::path> files;
@@ -182,7 +183,6 @@ PictureSummary write_pictures(const Context& context, const fs::path& path, cons
   const auto projections = make_projections(options.projection);
   PictureSummary summary;
   summary.files = picture_files(path, options);
-  summary.darkest_cd_m2 = std::numeric_limits<double>::infinity();
 
   std::size_t rows = 0;
   for (const auto& projection : projections) rows += static_cast<std::size_t>(projection->height());

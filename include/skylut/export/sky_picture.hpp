@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,9 +39,12 @@ struct PictureSummary {
   std::vector<std::filesystem::path> files;
   std::size_t pixels = 0;      ///< with a direction, of all faces
   std::size_t directions = 0;  ///< looked in for them: more where a pixel is a mean of several
-  double darkest_cd_m2 = 0.0;
+  double darkest_cd_m2 = std::numeric_limits<double>::infinity();  ///< of the pixels with a direction
   double brightest_cd_m2 = 0.0;
   std::size_t outside_rgb = 0;  ///< pixels with a negative R, G or B
+
+  /// Counts another's pixels, too.
+  void add(const PictureSummary& other);
 };
 
 /// The files of a picture that is to be called `path`: that name itself if there is one kind of channels and
