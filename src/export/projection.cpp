@@ -26,6 +26,10 @@ std::vector<std::string> projection_names() {
   return {"latlong", "fisheye", "fisheye-equisolid", "cube", "cube-cross", "octahedral"};
 }
 
+bool shows_hemispheres(const std::string& projection_name) {
+  return projection_name == "latlong" || is_fisheye(projection_name);
+}
+
 SkyPart default_part(const std::string& projection_name) {
   return is_fisheye(projection_name) ? SkyPart::hemisphere : SkyPart::sphere;
 }
@@ -38,7 +42,7 @@ std::vector<std::unique_ptr<Projection>> make_projections(const ProjectionChoice
   if (name == "fisheye") return alone(fisheye_projection(size, part, FisheyeLaw::equidistant));
   if (name == "fisheye-equisolid") return alone(fisheye_projection(size, part, FisheyeLaw::equisolid));
   const auto names = projection_names();
-  if (part == SkyPart::hemisphere)
+  if (part == SkyPart::hemisphere && !shows_hemispheres(name))
     throw InputError("projection '{}': a hemisphere is shown by latlong, fisheye or fisheye-equisolid", name);
   if (name == "cube") return cube_face_projections(size);
   if (name == "cube-cross") return alone(cube_cross_projection(size));

@@ -11,6 +11,7 @@
 #include "export/png_writer.hpp"
 #include "export/tone.hpp"
 #include "skylut/core/context.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
 #include "skylut/core/version.hpp"
@@ -54,9 +55,8 @@ double typical_luminance(const Projection& projection, const std::vector<Xyz>& l
 
 Preview make_preview(const Context& context, const SkyLight& sky, const PreviewOptions& options,
                      const Provenance& provenance) {
-  if (options.middle_grey_cd_m2 &&
-      !(*options.middle_grey_cd_m2 > 0.0 && std::isfinite(*options.middle_grey_cd_m2)))
-    throw InputError("middle grey {} cd/m2: must be above 0", *options.middle_grey_cd_m2);
+  if (options.middle_grey_cd_m2)
+    require_within("middle grey", *options.middle_grey_cd_m2, domain::kMiddleGrey_cd_m2);
   ProjectionChoice choice = options.projection;
   if (choice.name == "cube") choice.name = "cube-cross";
   const auto projections = make_projections(choice);

@@ -44,6 +44,7 @@ inline constexpr Range kLevel_km{0.0, 1e4, "km"};              ///< of a layer, 
 inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};     ///< half angle of the cone around the sun
 inline constexpr Range kThreads{0.0, 1024.0, ""};              ///< 0: one per core
 inline constexpr Range kPictureSize_pixels{2.0, 16384.0, ""};  ///< height, or edge of a square
+inline constexpr Range kMiddleGrey_cd_m2{1e-9, 1e9, "cd/m2"};  ///< of a preview
 inline constexpr Range kPhotons{1.0, 1e12, ""};                ///< of the Monte Carlo solver, per direction
 inline constexpr Range kSeed{0.0, 9007199254740992.0, ""};     ///< whole numbers that a double holds: to 2^53
 inline constexpr Range kScatteringOrders{0.0, 1e5, ""};        ///< 0: all

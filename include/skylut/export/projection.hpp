@@ -77,6 +77,9 @@ std::vector<std::string> projection_names();
 ///                     asked of a cube or an octahedral square
 std::vector<std::unique_ptr<Projection>> make_projections(const ProjectionChoice& choice);
 
+/// Whether make_projections() has a hemisphere of it.
+bool shows_hemispheres(const std::string& projection_name);
+
 /// The part that a projection of that name shows unless another is asked for.
 SkyPart default_part(const std::string& projection_name);
 

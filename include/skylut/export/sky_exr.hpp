@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "skylut/core/provenance.hpp"
@@ -11,10 +10,6 @@
 #include "skylut/sky/sky_map.hpp"
 
 namespace skylut {
-
-/// The file that one kind of channels goes to: sky.exr → sky_rgb.exr, sky_xyz.exr, sky_spectral.exr; a
-/// name that has its ending already is kept.
-std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannels channels);
 
 /// Writes one OpenEXR file: 32-bit floats, ZIP compression, attributes that say altitude, turbidity,
 /// sun, units, orientation, version and how the map was made (docs/user-guide.md lists them). Negative R, G

@@ -41,7 +41,7 @@ struct Preview {
 };
 
 /// Computes the preview from a picture of its own size.
-/// @throws InputError  for an unknown projection, a size out of range, a middle grey that is not above 0
+/// @throws InputError  for an unknown projection, a size or a middle grey out of range
 /// @throws Cancelled   if context.cancel was asked
 Preview make_preview(const Context& context, const SkyLight& sky, const PreviewOptions& options,
                      const Provenance& provenance);

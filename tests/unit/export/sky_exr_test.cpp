@@ -146,11 +146,5 @@ TEST_F(SkyExr, CountsColoursOutsideRec709) {
   EXPECT_EQ(count_outside_rec709(map), 1u);
 }
 
-TEST(SkyChannels, Files) {
-  EXPECT_EQ(sky_exr_path("out/sky.exr", SkyChannels::rgb), "out/sky_rgb.exr");
-  EXPECT_EQ(sky_exr_path("a.b.exr", SkyChannels::spectral), "a.b_spectral.exr");
-  EXPECT_EQ(sky_exr_path("sky_xyz.exr", SkyChannels::xyz), "sky_xyz.exr");
-}
-
 }  // namespace
 }  // namespace skylut

@@ -154,6 +154,14 @@ TEST_F(SkyPicture, FacesHaveFilesOfTheirOwn) {
             "a/b_xyz_nx.EXR");
 }
 
+TEST_F(SkyPicture, NamesOfFiles) {
+  const auto kinds = [](std::vector<SkyChannels> channels) { return of(std::move(channels)); };
+  EXPECT_EQ(picture_files("out/a.b.exr", kinds({SkyChannels::spectral})),
+            std::vector<fs::path>{"out/a.b.exr"});
+  EXPECT_EQ(picture_files("out/a.b.exr", kinds({SkyChannels::luminance, SkyChannels::spectral})),
+            (std::vector<fs::path>{"out/a.b_luminance.exr", "out/a.b_spectral.exr"}));
+}
+
 TEST_F(SkyPicture, ExplainsItself) {
   write(of({SkyChannels::rgb}));
   const Imf::Header rgb = header("sky.exr");
