@@ -10,16 +10,16 @@
 #include "advice.hpp"
 #include "commands.hpp"
 #include "memory.hpp"
-#include "options/choice_list.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
+#include "picture_options.hpp"
 #include "scene_options.hpp"
+#include "sky_choice.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/export/directions_csv.hpp"
-#include "skylut/export/projection.hpp"
 #include "skylut/export/sky_csv.hpp"
-#include "skylut/export/sky_exr.hpp"
+#include "skylut/sky/solved_sky.hpp"
 #include "sun_option.hpp"
 
 namespace skylut::cli {
@@ -28,46 +28,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kPictureGroup = "Picture (.exr)";
-
 struct MapOptions {
   SceneOptions scene;
   fs::path out;
   double altitude_km = 0.0;
   double turbidity = 0.1;
   SunOption sun;
-  std::optional<std::string> directions;  // of numbers; the others of pictures
-  std::optional<std::string> projection;
-  std::optional<std::vector<SkyChannels>> channels;
-  std::optional<std::int64_t> size;
+  std::optional<std::string> directions;  // of numbers
+  PictureRequest picture;
 };
 
-Kind<std::string> projection_kind() {
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const std::string& name : projection_names()) names.emplace_back(name, name);
-  return choice(std::move(names));
-}
-
-Kind<SkyChannels> channels_kind() {
-  return choice<SkyChannels>(
-      {{"rgb", SkyChannels::rgb}, {"xyz", SkyChannels::xyz}, {"spectral", SkyChannels::spectral}});
-}
+bool is_picture(const MapOptions& options) { return ending_of(options.out) == ".exr"; }
 
 // Options of the other kind of file were not meant for this one; those of this one get their defaults, so
 // that they are recorded.
 void settle(MapOptions& options, const OptionSet& given) {
-  const bool picture = ending_of(options.out) == ".exr";
+  const bool picture = is_picture(options);
   for (const Option& option : given.all())
-    if (option.given && (picture ? option.name == "--directions" : option.group == kPictureGroup))
+    if (option.given && (picture ? option.name == "--directions" : option.group == PictureRequest::kGroup))
       throw InputError("{}: is for {} files, must not be given with {}", option.name,
                        picture ? ".csv" : ".exr", options.out.string());
-  if (!picture) {
+  if (picture)
+    options.picture.settle();
+  else
     options.directions = options.directions.value_or("utm271");
-    return;
-  }
-  options.projection = options.projection.value_or("latlong");
-  options.channels = options.channels.value_or(std::vector{SkyChannels::rgb});
-  options.size = options.size.value_or(256);
 }
 
 SkyScene scene_of(const Context& context, MapOptions& options) {
@@ -131,23 +115,19 @@ void write_csv(const Context& context, const MapOptions& options, SkyScene scene
 
 void write_exr(const Context& context, const MapOptions& options, SkyScene scene,
                const std::string& command) {
-  const auto height = static_cast<int>(*options.size);
-  const std::unique_ptr<Projection> projection = make_projection(*options.projection, height);
-  const std::vector<SkyChannels>& channels = *options.channels;
-  for (const SkyChannels kind : channels) require_writable("-o", sky_exr_path(options.out, kind));
-  RequestSize size = size_of(scene);
-  size.spectral_file = std::find(channels.begin(), channels.end(), SkyChannels::spectral) != channels.end();
-  require_memory_for_picture(height, size);
-  scene.directions = projection->directions();
-  scene.directions_name = projection->name();
-  const SkyMap map = simulate(context, options, scene);
-  const Provenance provenance = provenance_of(context, options, scene, map, command);
-  for (const SkyChannels kind : channels)
-    write_sky_exr(sky_exr_path(options.out, kind), map, *projection, kind, provenance);
-  print_facts(map, scene);
-  if (const std::size_t outside = count_outside_rec709(map); outside > 0)
-    fmt::print("{} pixels have a colour outside Rec. 709: a negative R, G or B, kept as it is\n", outside);
-  for (const SkyChannels kind : channels) fmt::print("wrote {}\n", sky_exr_path(options.out, kind).string());
+  options.picture.check(options.out);
+  scene.directions_name = options.picture.projection();
+  advise_on_turbidity(scene.turbidities, *scene.atmosphere);
+  advise_on_wavelengths(context, scene.wavelengths);
+  const auto solved = std::make_shared<const SolvedSky>(context, scene, options.scene.transfer());
+  PictureLabels labels{options.altitude_km, scene.turbidities.front(),
+                       options.scene.provenance(context, scene, command)};
+  const std::unique_ptr<SkyLight> sky =
+      sky_light(context, options.scene, solved, options.altitude_km, scene, labels.provenance);
+  fmt::print("altitude {} km, sun {:.6g}:{:.6g} deg, {} wavelengths\n", options.altitude_km,
+             sky->sun().zenith_deg, sky->sun().azimuth_deg, scene.wavelengths.size());
+  fmt::print("{}\n", turbidity_text(scene.turbidities.front(), *scene.atmosphere));
+  options.picture.write(context, options.out, *sky, labels);
 }
 
 void run(MapOptions& options, const OptionSet& given) {
@@ -156,7 +136,7 @@ void run(MapOptions& options, const OptionSet& given) {
   const Context context = options.scene.context();
   const SkyScene scene = scene_of(context, options);
   const std::string command = given.command_line("skylut map");
-  if (options.size) return write_exr(context, options, scene, command);
+  if (is_picture(options)) return write_exr(context, options, scene, command);
   write_csv(context, options, scene, command);
 }
 
@@ -168,7 +148,8 @@ Command map_command() {
   command.name = "map";
   command.summary = "simulate one sky, as numbers (.csv) or a picture (.exr)";
   command.notes =
-      "A picture sky.exr goes to sky_rgb.exr, sky_xyz.exr and sky_spectral.exr, as --channels asks.";
+      "A picture of several kinds of channels goes to sky_rgb.exr, sky_spectral.exr and so on, faces to "
+      "sky_px.exr.";
   command.examples = {
       "skylut map -o sky.csv --sun-zenith-deg 45 --turbidity 0.2",
       "skylut map -o sky.exr --sun-zenith-deg 85 --altitude-km 12 --size 64 --channels rgb,spectral",
@@ -185,12 +166,7 @@ Command map_command() {
   options->sun.add_to(set, domain::kSunZenith_deg);
   set.add("--directions", options->directions, name_or_file(),
           "utm271 (default), preetham343 or a CSV file (for .csv)");
-  set.group(kPictureGroup);
-  set.add("--projection", options->projection, projection_kind(), "latlong, the only one so far");
-  set.add("--size", options->size, whole_number(domain::kPictureHeight_pixels),
-          "height in pixels, default 256; latlong is twice as wide");
-  set.add("--channels", options->channels, choice_list(channels_kind()),
-          "rgb (default), xyz, spectral or several: rgb,spectral");
+  options->picture.add_to(set);
   options->scene.add_to(set);
   command.run = [options](const OptionSet& given) { run(*options, given); };
   return command;

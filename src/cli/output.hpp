@@ -10,7 +10,7 @@
 /// What leaves the program beside its results' own files.
 namespace skylut::cli {
 
-/// A file that an option names indirectly: sky_rgb.exr of sky.exr.
+/// A file that an option names indirectly: sky_px.exr of sky.exr.
 /// @throws InputError  "OPTION FILE: …" if it could not be written
 void require_writable(const std::string& option, const std::filesystem::path& file);
 

@@ -47,6 +47,8 @@ class SceneOptions {
   Provenance provenance(const Context& context, const SkyScene& scene, std::string command) const;
 
   TransferOptions transfer() const;
+  /// Whether every direction is to have a line of sight of its own, solved under all sun nodes.
+  bool exact() const { return exact_; }
   Context context() const { return program_context(computing_); }
   const AirOptions& air() const { return air_; }
   const std::optional<UtcTime>& date() const { return date_; }
@@ -58,6 +60,7 @@ class SceneOptions {
   std::optional<UtcTime> date_;
   WavelengthGrid wavelengths_ = WavelengthGrid::visible();
   Quality quality_ = Quality::standard;
+  bool exact_ = false;
   ComputingOptions computing_;
 };
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <random>
 
@@ -34,7 +35,7 @@ struct ListEntry {
   std::atomic<bool> named{false};
   std::array<char, 4096> name{};
 };
-std::array<ListEntry, 16> unfinished_files;
+std::array<ListEntry, 32> unfinished_files;  // six faces of a cube in four kinds of channels
 
 int enter_in_list(const std::string& name) {
   for (std::size_t i = 0; i < unfinished_files.size(); ++i) {
@@ -117,8 +118,6 @@ UnfinishedFile::~UnfinishedFile() {
   strike_from_list(list_entry_);
 }
 
-void UnfinishedFile::write(std::string_view text) { write_all(descriptor_, text, final_path_); }
-
 void UnfinishedFile::flush() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(final_path_, errno);
 }
@@ -159,6 +158,16 @@ void write_all(int descriptor, std::string_view text, const fs::path& path) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail(path, errno);
     text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void write_all_at(int descriptor, std::string_view text, std::uint64_t position, const fs::path& path) {
+  while (!text.empty()) {
+    const ssize_t written = ::pwrite(descriptor, text.data(), text.size(), static_cast<off_t>(position));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(path, errno);
+    text.remove_prefix(static_cast<std::size_t>(written));
+    position += static_cast<std::uint64_t>(written);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -19,8 +20,7 @@ class UnfinishedFile {
   UnfinishedFile(const UnfinishedFile&) = delete;
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
 
-  /// @throws WorkError
-  void write(std::string_view text);
+  int descriptor() const { return descriptor_; }
   /// To the disk. @throws WorkError
   void flush();
   /// Gives the flushed file its final name and flushes the folder. @throws WorkError
@@ -41,7 +41,12 @@ std::filesystem::path temporary_path(const std::filesystem::path& final_path);
 /// users stay.
 void clear_leftovers(const std::filesystem::path& final_path) noexcept;
 
-/// Writes all of it. @throws WorkError  "<path>: cannot write: ..."
+/// Writes all of it at that many bytes from the beginning, wherever the descriptor stands.
+/// @throws WorkError  "<path>: cannot write: ..."
+void write_all_at(int descriptor, std::string_view text, std::uint64_t position,
+                  const std::filesystem::path& path);
+
+/// Writes all of it where the descriptor stands. @throws WorkError  "<path>: cannot write: ..."
 void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
 
 }  // namespace skylut

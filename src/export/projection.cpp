@@ -1,41 +1,58 @@
 #include "skylut/export/projection.hpp"
 
+#include <cmath>
+
+#include "export/projections.hpp"
+#include "skylut/core/constants.hpp"
+#include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/suggestion.hpp"
 
 namespace skylut {
 
-std::vector<Direction> Projection::directions() const {
-  std::vector<Direction> directions;
-  directions.reserve(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()));
-  for (int row = 0; row < height(); ++row)
-    for (int column = 0; column < width(); ++column) directions.push_back(direction(column, row));
-  return directions;
+namespace {
+
+bool is_fisheye(const std::string& name) { return name == "fisheye" || name == "fisheye-equisolid"; }
+
+std::vector<std::unique_ptr<Projection>> alone(std::unique_ptr<Projection> projection) {
+  std::vector<std::unique_ptr<Projection>> list;
+  list.push_back(std::move(projection));
+  return list;
 }
 
-LatLongProjection::LatLongProjection(int height) : height_(height) {
-  if (height < 2 || height > 8192)
-    throw InputError("map height {} pixels: must lie within 2 to 8192", height);
+}  // namespace
+
+std::vector<std::string> projection_names() {
+  return {"latlong", "fisheye", "fisheye-equisolid", "cube", "cube-cross", "octahedral"};
 }
 
-Direction LatLongProjection::direction(int column, int row) const {
-  // Halves of a pixel as whole numbers: mirror-symmetric pixels get mirror-symmetric angles.
-  const double zenith_deg = 180.0 * (2 * row + 1) / (2 * height_);
-  const int half_pixels = (2 * column + 1 + 3 * height_) % (4 * height_);  // from north, clockwise
-  return {zenith_deg, 360.0 * half_pixels / (4 * height_)};
+bool shows_hemispheres(const std::string& projection_name) {
+  return projection_name == "latlong" || is_fisheye(projection_name);
 }
 
-std::string LatLongProjection::orientation() const {
-  return "columns to the right run clockwise seen from above; left edge west (azimuth 270 deg), a quarter "
-         "of the width north, middle east, three quarters south; top edge zenith, bottom edge nadir; "
-         "directions at pixel centres";
+SkyPart default_part(const std::string& projection_name) {
+  return is_fisheye(projection_name) ? SkyPart::hemisphere : SkyPart::sphere;
 }
 
-std::vector<std::string> projection_names() { return {"latlong"}; }
+std::vector<std::unique_ptr<Projection>> make_projections(const ProjectionChoice& choice) {
+  const auto& [name, size, asked_part] = choice;
+  require_within("picture size", size, domain::kPictureSize_pixels);
+  const SkyPart part = asked_part.value_or(default_part(name));
+  if (name == "latlong") return alone(latlong_projection(size, part));
+  if (name == "fisheye") return alone(fisheye_projection(size, part, FisheyeLaw::equidistant));
+  if (name == "fisheye-equisolid") return alone(fisheye_projection(size, part, FisheyeLaw::equisolid));
+  const auto names = projection_names();
+  if (part == SkyPart::hemisphere && !shows_hemispheres(name))
+    throw InputError("projection '{}': a hemisphere is shown by latlong, fisheye or fisheye-equisolid", name);
+  if (name == "cube") return cube_face_projections(size);
+  if (name == "cube-cross") return alone(cube_cross_projection(size));
+  if (name == "octahedral") return alone(octahedral_projection(size));
+  throw InputError("projection '{}': must be {}{}", name, listed(names), suggested(name, names));
+}
 
-std::unique_ptr<Projection> make_projection(const std::string& name, int height) {
-  if (name == "latlong") return std::make_unique<LatLongProjection>(height);
-  throw InputError("projection '{}': must be {}", name, listed(projection_names()));
+Direction direction_of(double east, double north, double up) {
+  const double azimuth_deg = kDegreesPerRadian * std::atan2(east, north);
+  return {kDegreesPerRadian * std::atan2(std::hypot(east, north), up), wrapped_azimuth_deg(azimuth_deg)};
 }
 
 }  // namespace skylut

@@ -43,18 +43,6 @@ class MemoryStream final : public Imf::OStream {
 
 using Triple = std::array<float, 3>;
 
-std::string suffix(SkyChannels channels) {
-  switch (channels) {
-    case SkyChannels::rgb:
-      return "_rgb";
-    case SkyChannels::xyz:
-      return "_xyz";
-    case SkyChannels::spectral:
-      return "_spectral";
-  }
-  return "";
-}
-
 Triple as_floats(double a, double b, double c) {
   return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)};
 }
@@ -125,14 +113,6 @@ void add_triple(Imf::Header& header, Imf::FrameBuffer& frame, const std::array<c
 }
 
 }  // namespace
-
-std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannels channels) {
-  const std::string stem = path.stem().string();
-  const std::string ending = suffix(channels);
-  if (stem.ends_with(ending)) return path;
-  std::filesystem::path with_suffix = path;
-  return with_suffix.replace_filename(stem + ending + path.extension().string());
-}
 
 void write_sky_exr(const std::filesystem::path& path, const SkyMap& map, const Projection& projection,
                    SkyChannels channels, const Provenance& provenance) {

@@ -67,4 +67,13 @@ Provenance scene_provenance(const Context& context, const SkyScene& scene, std::
   return provenance;
 }
 
+void describe_into(const TransferReport& report, Provenance& provenance) {
+  provenance.set_instruction_set(report.kernel);
+  provenance.describe("transfer", Json{{"kernel", report.kernel},
+                                       {"lanes", report.lanes},
+                                       {"blocks", report.blocks},
+                                       {"iterations_most", report.iterations_most},
+                                       {"error_left", report.error_left}});
+}
+
 }  // namespace skylut

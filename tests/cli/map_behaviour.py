@@ -56,11 +56,15 @@ class Map(unittest.TestCase):
         self.assertEqual(sorted(self.work.contents()), ["sky_rgb.exr", "sky_spectral.exr", "sky_xyz.exr"])
         self.assertIn("128 directions", screen)
 
+    def test_a_picture_of_one_kind_has_the_name_asked_for(self):
+        self.map("-o", "sky.exr", "--sun-zenith-deg", "45", "--size", "8", "--channels", "xyz")
+        self.assertEqual(list(self.work.contents()), ["sky.exr"])
+
     def test_threads_change_no_byte(self):
         for threads in ("1", "2"):
             self.map("-o", f"{threads}.exr", "--sun-zenith-deg", "85", "--size", "8", "--threads", threads,
                      "--channels", "spectral")
-        self.assertEqual(self.work.path("1_spectral.exr").read_bytes(), self.work.path("2_spectral.exr").read_bytes())
+        self.assertEqual(self.work.path("1.exr").read_bytes(), self.work.path("2.exr").read_bytes())
 
     def test_place_and_time_give_the_sun(self):
         # Summer solstice noon at Greenwich: the sun stands 51.48 - 23.44 = 28.04 deg from the zenith, in the south;

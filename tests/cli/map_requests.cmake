@@ -4,11 +4,11 @@ skylut_refuses(map_output_png 2 "sky.png.*csv or .exr" map -o sky.png --sun-zeni
 skylut_refuses(map_output_folder_missing 2 "no such folder: missing" map -o missing/sky.csv --sun-zenith-deg 45)
 skylut_refuses(map_output_is_a_folder 2 "sky.csv.*directory" map -o sky.csv --sun-zenith-deg 45 FOLDER sky.csv)
 skylut_refuses(map_picture_is_a_folder 2 "sky_rgb.exr.*directory" map -o sky.exr --sun-zenith-deg 45
-  FOLDER sky_rgb.exr)
+  --channels rgb,xyz FOLDER sky_rgb.exr)
 skylut_refuses(map_output_full 1 "sky.csv: cannot write: No space left" map -o sky.csv --sun-zenith-deg 45
   --wavelengths-nm 400:700:100 --quality draft LINK sky.csv=/dev/full)
-skylut_refuses(map_picture_full 1 "sky_rgb.exr: cannot write: No space left" map -o sky.exr --sun-zenith-deg 45
-  --size 4 --wavelengths-nm 400:700:100 --quality draft LINK sky_rgb.exr=/dev/full)
+skylut_refuses(map_picture_full 1 "sky.exr: cannot write: No space left" map -o sky.exr --sun-zenith-deg 45
+  --size 4 --wavelengths-nm 400:700:100 --quality draft LINK sky.exr=/dev/full)
 
 skylut_refuses(map_altitude_31 2 "--altitude-km '31'.*0 to 30" map -o sky.csv --sun-zenith-deg 45 --altitude-km 31)
 skylut_refuses(map_altitude_negative 2 "--altitude-km '-1'" map -o sky.csv --sun-zenith-deg 45 --altitude-km -1)
@@ -47,17 +47,24 @@ skylut_refuses(map_directions_for_picture 2 "--directions: is for .csv" map -o s
   --directions utm271)
 skylut_refuses(map_size_for_numbers 2 "--size: is for .exr" map -o sky.csv --sun-zenith-deg 45 --size 64)
 
-skylut_refuses(map_projection_fisheye 2 "--projection 'fisheye': must be latlong" map -o sky.exr
-  --sun-zenith-deg 45 --projection fisheye)
-skylut_refuses(map_projection_unknown 2 "--projection 'mercator': must be latlong" map -o sky.exr
-  --sun-zenith-deg 45 --projection mercator)
-skylut_refuses(map_channels_unknown 2 "--channels 'hsv': must be rgb, xyz or spectral" map -o sky.exr --sun-zenith-deg 45
+skylut_refuses(map_projection_unknown 2 "--projection 'mercator': must be latlong, fisheye, .* or octahedral" map
+  -o sky.exr --sun-zenith-deg 45 --projection mercator)
+skylut_refuses(map_half_a_cube 2 "--sky half: is for latlong.*must not be given with cube" map -o sky.exr
+  --sun-zenith-deg 45 --projection cube --sky half)
+skylut_refuses(map_rgb_space_unknown 2 "--rgb-space 'acescc': must be rec709.*did you mean acescg" map -o sky.exr
+  --sun-zenith-deg 45 --rgb-space acescc)
+skylut_refuses(map_preview_jpeg 2 "sky.jpg.*png" map -o sky.exr --sun-zenith-deg 45 --preview sky.jpg)
+skylut_refuses(map_preview_size_alone 2 "--preview-size: needs --preview" map -o sky.exr --sun-zenith-deg 45
+  --preview-size 64)
+skylut_refuses(map_preview_of_numbers 2 "--preview: is for .exr" map -o sky.csv --sun-zenith-deg 45
+  --preview sky.png)
+skylut_refuses(map_channels_unknown 2 "--channels 'hsv': must be rgb, xyz, luminance or spectral" map -o sky.exr --sun-zenith-deg 45
   --channels hsv)
 skylut_refuses(map_channels_misspelt 2 "--channels 'rgb,spectrall': .*did you mean spectral" map -o sky.exr
   --sun-zenith-deg 45 --channels rgb,spectrall)
 skylut_refuses(map_channels_twice 2 "--channels 'rgb,rgb': must have rgb once" map -o sky.exr --sun-zenith-deg 45
   --channels rgb,rgb)
-skylut_refuses(map_size_0 2 "--size '0'.*2 to 8192" map -o sky.exr --sun-zenith-deg 45 --size 0)
+skylut_refuses(map_size_0 2 "--size '0'.*2 to 16384" map -o sky.exr --sun-zenith-deg 45 --size 0)
 skylut_refuses(map_size_word 2 "--size '512x256'" map -o sky.exr --sun-zenith-deg 45 --size 512x256)
 
 # Options that do not exist, requests that do not fit.
@@ -71,5 +78,5 @@ skylut_refuses(map_out_of_memory 1 "ran out of memory|not enough memory" map -o 
   --sun-zenith-deg 45 --wavelengths-nm 400:700:100 --quality draft --threads 1 MEMORY_KB 48000)
 skylut_prints(map_plain_numbers "sun 45:270 deg" map -o SKY.CSV --sun-zenith-deg +4.5e1 --sun-azimuth-deg -90
   --turbidity " 0.1" --wavelengths-nm 400:700:100 --quality draft)
-skylut_prints(map_picture_in_capitals "wrote SKY_rgb.EXR" map -o SKY.EXR --sun-zenith-deg 45 --size 4
+skylut_prints(map_picture_in_capitals "wrote SKY.EXR" map -o SKY.EXR --sun-zenith-deg 45 --size 4
   --wavelengths-nm 400:700:100 --quality draft)

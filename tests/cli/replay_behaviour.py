@@ -164,7 +164,7 @@ class Replay(unittest.TestCase):
             self.work.succeed("map", "-o", f"{name}.exr", "--size", "4", *scene)
             self.work.succeed("table", "--out", name, "--aerosol", aerosol, *COARSE, "--altitudes-km", "0", "--turbidities",
                               "0.1", "--suns", "45:90")
-        for one, two in ("one.csv", "two.csv"), ("one_rgb.exr", "two_rgb.exr"), ("one/table.json", "two/table.json"):
+        for one, two in ("one.csv", "two.csv"), ("one.exr", "two.exr"), ("one/table.json", "two/table.json"):
             self.assertNotEqual(self.command_of(one), self.command_of(two))
             self.assertNotEqual(self.air_of(one), self.air_of(two), f"{one} and {two} name the same air")
 

@@ -20,7 +20,7 @@ struct Yxy {
   bool operator==(const Yxy&) const = default;
 };
 
-/// Linear (not gamma-encoded) light in the sRGB primaries, in the unit of the tristimulus values;
+/// Linear (not gamma-encoded) light in the primaries of an RGB space, in the unit of the tristimulus values;
 /// negative where a colour lies outside the gamut, never clamped.
 struct LinearRgb {
   double r = 0.0;

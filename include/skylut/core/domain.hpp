@@ -45,13 +45,14 @@ inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};   ///< half angle of 
 inline constexpr Range kTilt_deg{0.0, 180.0, "deg"};         ///< of a plane from the horizontal
 inline constexpr Range kDiscSpacing_deg{0.002, 1.0, "deg"};  ///< of the points that stand for the solar disc
 inline constexpr Range kThreads{0.0, 1024.0, ""};            ///< 0: one per core
-inline constexpr Range kPictureHeight_pixels{2.0, 8192.0, ""};
-inline constexpr std::size_t kMostFrames = 100'000;         ///< of a series of suns
-inline constexpr Range kPhotons{1.0, 1e12, ""};             ///< of the Monte Carlo solver, per direction
-inline constexpr Range kSeed{0.0, 9007199254740992.0, ""};  ///< whole numbers that a double holds: to 2^53
-inline constexpr Range kScatteringOrders{0.0, 1e5, ""};     ///< 0: all
-inline constexpr Range kAbsorptionTerm{1.0, 1e6, ""};       ///< of a band, counted from 1
-inline constexpr Range kSizeParameter{1e-6, 1e5, ""};       ///< of a sphere: circumference over wavelength
+inline constexpr Range kPictureSize_pixels{2.0, 16384.0, ""};  ///< height, or edge of a square
+inline constexpr Range kMiddleGrey_cd_m2{1e-9, 1e9, "cd/m2"};  ///< of a preview
+inline constexpr std::size_t kMostFrames = 100'000;            ///< of a series of suns
+inline constexpr Range kPhotons{1.0, 1e12, ""};                ///< of the Monte Carlo solver, per direction
+inline constexpr Range kSeed{0.0, 9007199254740992.0, ""};     ///< whole numbers that a double holds: to 2^53
+inline constexpr Range kScatteringOrders{0.0, 1e5, ""};        ///< 0: all
+inline constexpr Range kAbsorptionTerm{1.0, 1e6, ""};          ///< of a band, counted from 1
+inline constexpr Range kSizeParameter{1e-6, 1e5, ""};          ///< of a sphere: circumference over wavelength
 inline constexpr int kMostScatteringAngles = 100'000;
 inline constexpr Range kAngstromExponent{-1.0, 4.2,
                                          ""};  ///< small clear spheres scatter more steeply than λ^-4

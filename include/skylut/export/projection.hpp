@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,9 @@
 
 namespace skylut {
 
-/// How the directions around an observer are laid out on the pixels of a picture.
+/// How the directions around an observer are laid out on the pixels of a picture. Points of the picture are
+/// x to the right and y downwards from its upper left corner, in pixels: the centre of the first pixel is
+/// (0.5, 0.5). Pixels that are mirror images of each other have directions that are.
 class Projection {
  public:
   virtual ~Projection() = default;
@@ -16,39 +19,68 @@ class Projection {
   virtual int width() const = 0;   ///< pixels
   virtual int height() const = 0;  ///< pixels
 
-  /// Direction in which the observer looks through the centre of a pixel; column 0 is at the left,
-  /// row 0 at the top.
-  virtual Direction direction(int column, int row) const = 0;
+  /// What tells the files of one picture apart: "px" … "nz" for the faces of a cube, else nothing.
+  virtual std::string face() const { return {}; }
+
+  /// Direction in which the observer looks through a point, or none: outside the circle of a fisheye, in the
+  /// empty corners of a cross. @param x  [0, width] @param y  [0, height]
+  virtual std::optional<Direction> direction_at(double x, double y) const = 0;
+
+  /// Solid angle that a small part of the picture covers per pixel of its area, sr; 0 where there is no
+  /// direction.
+  virtual double density_sr(double x, double y) const = 0;
+
+  /// Solid angle of a pixel, of its part that has directions, sr. Exact to rounding but for the equidistant
+  /// fisheye and pixels cut by a circle, which are quadratures; sums over a picture are good to 1e-9 (of
+  /// size 2: 1e-6).
+  virtual double solid_angle_sr(int column, int row) const = 0;
 
   /// Words for the file's header: where north is, which way azimuth grows.
   virtual std::string orientation() const = 0;
 
-  /// The directions of all pixels, row by row.
-  std::vector<Direction> directions() const;
+  /// Direction through the centre of a pixel.
+  std::optional<Direction> direction(int column, int row) const {
+    return direction_at(column + 0.5, row + 0.5);
+  }
 };
 
-/// The whole sphere as a rectangle twice as wide as high, cell-centred: rows from the zenith (top
-/// edge) to the nadir (bottom edge); columns to the right go clockwise seen from above. North is at
-/// a quarter of the width, east in the middle, so that a program that puts its +X axis in the
-/// middle (Blender, three.js) has +X = east, and north = +Y (Z up) or -Z (Y up).
-class LatLongProjection final : public Projection {
- public:
-  /// @param height  pixels, 2 to 8192. @throws InputError otherwise
-  explicit LatLongProjection(int height);
-  std::string name() const override { return "latlong"; }
-  int width() const override { return 2 * height_; }
-  int height() const override { return height_; }
-  Direction direction(int column, int row) const override;
-  std::string orientation() const override;
-
- private:
-  int height_;
+/// What of the directions a picture shows.
+enum class SkyPart {
+  sphere,     ///< all of them
+  hemisphere  ///< those above the astronomical horizon, zenith angles to 90°
 };
 
-/// Those that exist.
+struct ProjectionChoice {
+  std::string name = "latlong";  ///< one of projection_names()
+  int size = 256;                ///< pixels, 2 to 16384: see make_projections()
+  std::optional<SkyPart> part;   ///< none: the projection's own, sphere but for the fisheyes
+};
+
+/// latlong            rows from the zenith down, columns clockwise; twice as wide as high (hemisphere: four
+///                    times). East is in the middle, north at a quarter of the width: a program that has its
+///                    +X axis in the middle (Blender, three.js) has +X = east, and north = +Y (Z up) or -Z.
+/// fisheye            equidistant: zenith angle ∝ distance from the middle. Seen looking up, north at the
+///                    top and so east at the left.
+/// fisheye-equisolid  the same with equal solid angles on equal areas
+/// cube               six faces as OpenGL's cube maps, for the loader of three.js: there +X is east, +Y up,
+///                    -Z north. It looks cube maps up with x mirrored, so that the face px shows the west.
+/// cube-cross         the same faces in one picture, 4 faces wide and 3 high
+/// octahedral         the equal-area square of Clarberg, "Fast equal-area mapping of the (hemi)sphere using
+///                    SIMD", Journal of Graphics Tools 13(3), 2008 (doi 10.1080/2151237X.2008.10129263), as
+///                    pbrt-v4 reads environment maps: x east, y north, z up
 std::vector<std::string> projection_names();
 
-/// @throws InputError  if the name is none of projection_names()
-std::unique_ptr<Projection> make_projection(const std::string& name, int height);
+/// The pictures of one choice: one, or the six faces of a cube. The size is the height of a latlong picture,
+/// the diameter of a fisheye, the edge of a face or of the octahedral square.
+/// @throws InputError  if the name is none of projection_names(), the size outside 2 to 16384, or a
+/// hemisphere
+///                     asked of a cube or an octahedral square
+std::vector<std::unique_ptr<Projection>> make_projections(const ProjectionChoice& choice);
+
+/// Whether make_projections() has a hemisphere of it.
+bool shows_hemispheres(const std::string& projection_name);
+
+/// The part that a projection of that name shows unless another is asked for.
+SkyPart default_part(const std::string& projection_name);
 
 }  // namespace skylut

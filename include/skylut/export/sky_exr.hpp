@@ -2,26 +2,14 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "skylut/core/provenance.hpp"
 #include "skylut/export/projection.hpp"
+#include "skylut/export/sky_channels.hpp"
 #include "skylut/sky/sky_map.hpp"
 
 namespace skylut {
-
-/// What the channels of an OpenEXR sky map hold. Each goes to a file of its own, because readers that
-/// expect R,G,B misread or refuse a file that has anything else.
-enum class SkyChannels {
-  rgb,      ///< R,G,B: linear Rec. 709, cd m⁻² (luminance 0.2126 R + 0.7152 G + 0.0722 B)
-  xyz,      ///< X,Y,Z: CIE 1931 2°, Y in cd m⁻²
-  spectral  ///< S0.<nm>nm: W m⁻² sr⁻¹ nm⁻¹, with an R,G,B preview (Fichet, Pacanowski & Wilkie 2021)
-};
-
-/// The file that one kind of channels goes to: sky.exr → sky_rgb.exr, sky_xyz.exr, sky_spectral.exr; a
-/// name that has its ending already is kept.
-std::filesystem::path sky_exr_path(const std::filesystem::path& path, SkyChannels channels);
 
 /// Writes one OpenEXR file: 32-bit floats, ZIP compression, attributes that say altitude, turbidity,
 /// sun, units, orientation, version and how the map was made (docs/user-guide.md lists them). Negative R, G

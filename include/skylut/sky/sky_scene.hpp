@@ -11,6 +11,7 @@
 #include "skylut/core/provenance.hpp"
 #include "skylut/core/wavelength_grid.hpp"
 #include "skylut/site/place.hpp"
+#include "skylut/transfer/sky_radiance.hpp"
 
 namespace skylut {
 
@@ -38,5 +39,9 @@ std::vector<double> extraterrestrial_irradiance(const Context& context, const Sk
 /// in all turbidity kinds, suns, wavelengths, and the files read. The caller adds what else it depends on.
 /// @param command  that makes it again
 Provenance scene_provenance(const Context& context, const SkyScene& scene, std::string command);
+
+/// Says how the transfer was solved: kernel, blocks, iterations and the error left. Not the time it took,
+/// since the same inputs give the same bytes.
+void describe_into(const TransferReport& report, Provenance& provenance);
 
 }  // namespace skylut

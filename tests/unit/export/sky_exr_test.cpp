@@ -29,19 +29,19 @@ class SkyExr : public testing::Test {
 
   fs::path write(SkyChannels channels, const std::string& name = "sky.exr") {
     const fs::path path = folder_ / name;
-    write_sky_exr(path, map_, projection_, channels, Provenance("skylut map"));
+    write_sky_exr(path, map_, *projection_, channels, Provenance("skylut map"));
     return path;
   }
 
   std::vector<float> channel(const fs::path& path, const std::string& name) {
     Imf::InputFile file(path.c_str());
     std::vector<float> pixels(map_.directions.size());
-    const auto width = static_cast<std::size_t>(projection_.width());
+    const auto width = static_cast<std::size_t>(projection_->width());
     Imf::FrameBuffer frame;
     frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float),
                                   width * sizeof(float)));
     file.setFrameBuffer(frame);
-    file.readPixels(0, projection_.height() - 1);
+    file.readPixels(0, projection_->height() - 1);
     return pixels;
   }
 
@@ -54,8 +54,8 @@ class SkyExr : public testing::Test {
   }
 
   const fs::path folder_ = fs::temp_directory_path() / "skylut_sky_exr_test";
-  const LatLongProjection projection_{4};
-  const SkyMap map_ = made_up_map(projection_.directions());
+  const std::unique_ptr<Projection> projection_ = std::move(make_projections({"latlong", 4, {}}).front());
+  const SkyMap map_ = made_up_map(directions_of(*projection_));
 };
 
 // Luminance comes back from the linear Rec. 709 values; one 32-bit rounding per channel.
@@ -124,15 +124,16 @@ TEST_F(SkyExr, SameMapSameBytes) {
 }
 
 TEST_F(SkyExr, AFullDiskIsAnErrorAndLeavesNothing) {
-  EXPECT_THROW(write_sky_exr("/dev/full", map_, projection_, SkyChannels::rgb, Provenance()), WorkError);
+  EXPECT_THROW(write_sky_exr("/dev/full", map_, *projection_, SkyChannels::rgb, Provenance()), WorkError);
   EXPECT_THROW(
-      write_sky_exr(folder_ / "missing" / "sky.exr", map_, projection_, SkyChannels::rgb, Provenance()),
+      write_sky_exr(folder_ / "missing" / "sky.exr", map_, *projection_, SkyChannels::rgb, Provenance()),
       WorkError);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(SkyExr, PixelsAndDirectionsMustAgree) {
-  EXPECT_THROW(write_sky_exr(folder_ / "sky.exr", map_, LatLongProjection(5), SkyChannels::rgb, Provenance()),
+  EXPECT_THROW(write_sky_exr(folder_ / "sky.exr", map_, *make_projections({"latlong", 5, {}}).front(),
+                             SkyChannels::rgb, Provenance()),
                InputError);
 }
 
@@ -143,12 +144,6 @@ TEST_F(SkyExr, CountsColoursOutsideRec709) {
   EXPECT_EQ(count_outside_rec709(map), 0u);
   map.colour[3] = {100.0, 0.0082, 0.5384};
   EXPECT_EQ(count_outside_rec709(map), 1u);
-}
-
-TEST(SkyChannels, Files) {
-  EXPECT_EQ(sky_exr_path("out/sky.exr", SkyChannels::rgb), "out/sky_rgb.exr");
-  EXPECT_EQ(sky_exr_path("a.b.exr", SkyChannels::spectral), "a.b_spectral.exr");
-  EXPECT_EQ(sky_exr_path("sky_xyz.exr", SkyChannels::xyz), "sky_xyz.exr");
 }
 
 }  // namespace

@@ -1,10 +1,19 @@
 #pragma once
 
 #include "skylut/colour/cie1931.hpp"
+#include "skylut/export/projection.hpp"
 #include "skylut/sky/sky_map.hpp"
 #include "support/test_context.hpp"
 
 namespace skylut {
+
+inline std::vector<Direction> directions_of(const Projection& projection) {
+  std::vector<Direction> directions;
+  for (int row = 0; row < projection.height(); ++row)
+    for (int column = 0; column < projection.width(); ++column)
+      directions.push_back(projection.direction(column, row).value());
+  return directions;
+}
 
 /// A map with a different made-up radiance for every direction and wavelength.
 inline SkyMap made_up_map(std::vector<Direction> directions) {

@@ -1,0 +1,112 @@
+#include "picture_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "options/choice_list.hpp"
+#include "options/file_kinds.hpp"
+#include "options/number_kinds.hpp"
+#include "output.hpp"
+#include "skylut/export/sky_preview.hpp"
+
+namespace skylut::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Kind<std::string> names(const std::vector<std::string>& list) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& name : list) pairs.emplace_back(name, name);
+  return choice(std::move(pairs));
+}
+
+Kind<std::string> rgb_space_kind() {
+  std::vector<std::string> list;
+  for (const RgbSpace& space : rgb_spaces()) list.push_back(space.name);
+  return names(list);
+}
+
+Kind<SkyPart> part_kind() {
+  return choice<SkyPart>({{"full", SkyPart::sphere}, {"half", SkyPart::hemisphere}});
+}
+
+Kind<SkyChannels> channels_kind() {
+  return choice<SkyChannels>({{"rgb", SkyChannels::rgb},
+                              {"xyz", SkyChannels::xyz},
+                              {"luminance", SkyChannels::luminance},
+                              {"spectral", SkyChannels::spectral}});
+}
+
+Kind<WhiteAdaptation> adaptation_kind() {
+  return choice<WhiteAdaptation>({{"bradford", WhiteAdaptation::bradford}, {"none", WhiteAdaptation::none}});
+}
+
+}  // namespace
+
+void PictureRequest::add_to(OptionSet& set) {
+  set.group(kGroup);
+  set.add("--projection", projection_, names(projection_names()),
+          "latlong (default), fisheye, fisheye-equisolid, cube, cube-cross or octahedral");
+  set.add("--size", size_, whole_number(domain::kPictureSize_pixels),
+          "height in pixels, default 256; of a cube, of one face");
+  set.add("--sky", part_, part_kind(), "full or half: above the horizon (default of the fisheyes)");
+  set.add("--channels", channels_, choice_list(channels_kind()),
+          "rgb (default), xyz, luminance, spectral or several: rgb,spectral");
+  set.add("--rgb-space", rgb_space_, rgb_space_kind(), "rec709 (default), rec2020, p3, acescg or aces2065-1");
+  set.add("--rgb-adaptation", adaptation_, adaptation_kind(),
+          "of D65 to another white: bradford (default) or none");
+  set.add("--preview", preview_, file_named({".png"}), "also a small sRGB picture to look at").recorded =
+      false;
+  set.add("--preview-size", preview_size_, whole_number(domain::kPictureSize_pixels),
+          "its height in pixels, default 256");
+  set.add("--preview-grey-cd-m2", preview_grey_cd_m2_, number(domain::kMiddleGrey_cd_m2),
+          "luminance shown as middle grey, default that of the sky");
+}
+
+void PictureRequest::settle() {
+  projection_ = projection_.value_or("latlong");
+  size_ = size_.value_or(256);
+  part_ = part_.value_or(default_part(*projection_));
+  channels_ = channels_.value_or(std::vector{SkyChannels::rgb});
+  rgb_space_ = rgb_space_.value_or("rec709");
+  adaptation_ = adaptation_.value_or(WhiteAdaptation::bradford);
+  if (preview_) preview_size_ = preview_size_.value_or(256);
+}
+
+void PictureRequest::check(const fs::path& out) const {
+  if (part_ == SkyPart::hemisphere && !shows_hemispheres(*projection_))
+    throw InputError("--sky half: is for latlong, fisheye and fisheye-equisolid, must not be given with {}",
+                     *projection_);
+  if (!preview_ && preview_size_) throw InputError("--preview-size: needs --preview");
+  if (!preview_ && preview_grey_cd_m2_) throw InputError("--preview-grey-cd-m2: needs --preview");
+  for (const fs::path& file : picture_files(out, options())) require_writable("-o", file);
+}
+
+PictureOptions PictureRequest::options() const {
+  return {{*projection_, static_cast<int>(*size_), part_}, *channels_, *rgb_space_, *adaptation_};
+}
+
+void PictureRequest::write(const Context& context, const fs::path& out, const SkyLight& sky,
+                           const PictureLabels& labels) const {
+  Preview preview;
+  std::vector<FileText> also;
+  if (preview_) {
+    const ProjectionChoice choice{*projection_, static_cast<int>(*preview_size_), part_};
+    preview = make_preview(context, sky, {choice, preview_grey_cd_m2_}, labels.provenance);
+    also.push_back({*preview_, preview.png});
+  }
+  const PictureSummary summary = write_pictures(context, out, sky, options(), labels, also);
+  const double per_pixel = static_cast<double>(summary.directions) / static_cast<double>(summary.pixels);
+  fmt::print("{} pixels, {:.2f} directions each\n", summary.pixels, per_pixel);
+  fmt::print("luminance {:.5g} to {:.5g} cd/m2\n", summary.darkest_cd_m2, summary.brightest_cd_m2);
+  if (summary.outside_rgb > 0)
+    fmt::print("{} pixels have a colour outside {}: a negative R, G or B, kept as it is\n",
+               summary.outside_rgb, *rgb_space_);
+  for (const fs::path& file : summary.files) fmt::print("wrote {}\n", file.string());
+  if (preview_) fmt::print("wrote {}: {}\n", preview_->string(), preview.description);
+}
+
+}  // namespace skylut::cli

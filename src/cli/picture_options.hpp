@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "options/options.hpp"
+#include "skylut/export/sky_picture.hpp"
+
+namespace skylut {
+struct Context;
+}
+
+namespace skylut::cli {
+
+/// What pictures of a sky are asked for, and their writing.
+class PictureRequest {
+ public:
+  static constexpr const char* kGroup = "Picture (.exr)";
+
+  /// Adds --projection, --size, --sky, --channels, --rgb-space, --rgb-adaptation, --preview, --preview-size
+  /// and
+  /// --preview-grey-cd-m2 under kGroup.
+  void add_to(OptionSet& options);
+
+  /// Gives what was not given its default, so that it is recorded.
+  void settle();
+
+  /// @throws InputError  naming the option: a hemisphere of a cube, preview options without --preview, a file
+  /// that
+  ///                     cannot be written
+  void check(const std::filesystem::path& out) const;
+
+  PictureOptions options() const;
+
+  const std::string& projection() const { return *projection_; }
+
+  /// Writes the pictures and the preview, which take their names together, and says on the screen what they
+  /// are.
+  void write(const Context& context, const std::filesystem::path& out, const SkyLight& sky,
+             const PictureLabels& labels) const;
+
+ private:
+  std::optional<std::string> projection_;
+  std::optional<std::int64_t> size_;
+  std::optional<SkyPart> part_;
+  std::optional<std::vector<SkyChannels>> channels_;
+  std::optional<std::string> rgb_space_;
+  std::optional<WhiteAdaptation> adaptation_;
+  std::optional<std::filesystem::path> preview_;
+  std::optional<std::int64_t> preview_size_;
+  std::optional<double> preview_grey_cd_m2_;
+};
+
+}  // namespace skylut::cli

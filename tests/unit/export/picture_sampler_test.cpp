@@ -1,0 +1,178 @@
+#include "skylut/export/picture_sampler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "skylut/core/quadrature.hpp"
+#include "test_light.hpp"
+
+namespace skylut {
+namespace {
+
+using test::cosine;
+using test::FormulaLight;
+
+struct Sampled {
+  std::vector<double> luminance;  // [row][column]
+  double illuminance = 0.0;       // on a horizontal plane, from above
+  double flux = 0.0;              // ∫ L dω
+  double samples_per_pixel = 0.0;
+};
+
+Sampled sample(const SkyLight& sky, const std::vector<std::unique_ptr<Projection>>& pictures) {
+  Sampled result;
+  double pixels = 0.0;
+  double samples = 0.0;
+  for (const auto& picture : pictures) {
+    const PictureSampler sampler(sky, *picture);
+    std::vector<Xyz> colour(static_cast<std::size_t>(picture->width()));
+    for (int row = 0; row < picture->height(); ++row) {
+      samples += static_cast<double>(sampler.sample_row(row, colour, {}));
+      for (int column = 0; column < picture->width(); ++column) {
+        const double luminance = colour[static_cast<std::size_t>(column)].Y;
+        const double solid_angle = picture->solid_angle_sr(column, row);
+        result.luminance.push_back(luminance);
+        result.flux += luminance * solid_angle;
+        if (const auto direction = picture->direction(column, row)) {
+          ++pixels;
+          result.illuminance += std::max(0.0, cosine(direction->zenith_deg)) * luminance * solid_angle;
+        }
+      }
+    }
+  }
+  result.samples_per_pixel = samples / pixels;
+  return result;
+}
+
+Sampled sample(const SkyLight& sky, const std::string& name, int size, std::optional<SkyPart> part = {}) {
+  return sample(sky, make_projections({name, size, part}));
+}
+
+// A narrow aureole in a dark sky, half as bright 2° from the sun.
+double aureole(double gamma_deg) { return 1e4 * std::exp2(-gamma_deg / 2.0); }
+
+// ∫ aureole cos θ dω = 2π cos θ_sun ∫ aureole(γ) cos γ sin γ dγ: nothing of it reaches the horizon.
+double aureole_illuminance(double sun_zenith_deg) {
+  const Quadrature rule = gauss_legendre(200, 0.0, 44.0);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rule.node.size(); ++i)
+    sum += rule.weight[i] * aureole(rule.node[i]) * cosine(rule.node[i]) * cosine(90.0 - rule.node[i]);
+  return 2.0 * kPi * cosine(sun_zenith_deg) * sum * kRadiansPerDegree;
+}
+
+// Every projection, size and averaging keeps a uniform sky uniform; ∫ L dω over the sphere is 4π L.
+TEST(PictureSampler, AUniformSkyIsUniform) {
+  const FormulaLight sky([](const Direction&) { return 3.0; });
+  for (const std::string& name : projection_names()) {
+    const auto pictures = make_projections({name, 16, SkyPart::sphere});
+    const Sampled sampled = sample(sky, pictures);
+    std::size_t i = 0;
+    for (const auto& picture : pictures)
+      for (int row = 0; row < picture->height(); ++row)
+        for (int column = 0; column < picture->width(); ++column, ++i) {
+          const bool has_direction = picture->direction(column, row).has_value();
+          if (has_direction || picture->solid_angle_sr(column, row) == 0.0) {
+            EXPECT_NEAR(sampled.luminance[i], has_direction ? 3.0 : 0.0, 1e-12)
+                << name << " " << column << " " << row;
+          }
+        }
+    EXPECT_NEAR(sampled.flux / (12.0 * kPi), 1.0, 1e-6) << name;
+  }
+}
+
+// E = π L, to 0.1 %; the horizon lies between two rows of the latlong picture and across pixels of the
+// others.
+TEST(PictureSampler, IlluminanceOfASkyThatJumpsAtTheHorizon) {
+  const FormulaLight sky = test::jump_light(1.0);
+  for (const std::string& name : projection_names()) {
+    const Sampled sampled =
+        sample(sky, name == "cube" ? "cube" : name, name.starts_with("cube") ? 128 : 512, SkyPart::sphere);
+    EXPECT_NEAR(sampled.illuminance / kPi, 1.0, 1e-3) << name;
+    EXPECT_NEAR(sampled.flux / (2.0 * kPi), 1.0, 1e-3) << name;
+  }
+}
+
+TEST(PictureSampler, IlluminanceOfANarrowAureole) {
+  const FormulaLight sky([](const Direction& d) {
+    return aureole(kDegreesPerRadian * angle_between(d, {45.0, 120.0}));
+  });
+  for (const std::string& name : projection_names())
+    for (const int size : {128, 512}) {
+      if (name.starts_with("cube") && size == 512) continue;
+      const Sampled sampled = sample(sky, name, size);
+      EXPECT_NEAR(sampled.illuminance / aureole_illuminance(45.0), 1.0, size < 512 ? 2e-3 : 1e-3)
+          << name << " " << size;
+    }
+}
+
+// A sky with L = 1 + cos θ above and 0.2 below: E = π (1 + 2/3).
+TEST(PictureSampler, IlluminanceOfACosineSky) {
+  const FormulaLight sky(
+      [](const Direction& d) { return d.zenith_deg < 90.0 ? 1.0 + cosine(d.zenith_deg) : 0.2; });
+  for (const char* name : {"fisheye", "fisheye-equisolid", "latlong"})
+    EXPECT_NEAR(sample(sky, name, 512, SkyPart::hemisphere).illuminance / (kPi * 5.0 / 3.0), 1.0, 1e-3)
+        << name;
+}
+
+// A row of pixels that the horizon cuts anywhere holds the part of each that lies above it.
+TEST(PictureSampler, APixelHasTheMeanOfItsArea) {
+  for (const double part : {0.2, 0.5, 0.77}) {
+    constexpr int kRows = 60;  // of 3°
+    const double horizon_deg = 90.0 + 3.0 * part;
+    const Sampled sampled = sample(test::jump_light(1.0, horizon_deg), "latlong", kRows);
+    const double top = cosine(90.0);
+    const double expected = (top - cosine(horizon_deg)) / (top - cosine(93.0));
+    // Pieces at the horizon are 0.02° high: half of one of 3°, 0.003.
+    EXPECT_NEAR(sampled.luminance[30 * 120 + 17], expected, 0.0035) << part;
+    EXPECT_NEAR(sampled.luminance[29 * 120 + 17], 1.0, 1e-12);
+    EXPECT_EQ(sampled.luminance[31 * 120 + 17], 0.0);
+  }
+}
+
+// In a small cube the horizon of an observer up high slants through the pixels: many shades, no stairs.
+TEST(PictureSampler, ASlantingHorizonHasNoStairs) {
+  const Sampled sampled = sample(test::jump_light(1.0, 95.6), "octahedral", 64);
+  int between = 0;
+  for (const double luminance : sampled.luminance) between += luminance > 0.05 && luminance < 0.95 ? 1 : 0;
+  EXPECT_GT(between, 100);
+}
+
+// About one direction a pixel, measured 1.04, 1.30, 1.28 and 1.02.
+TEST(PictureSampler, CostOfAPixel) {
+  const FormulaLight sky = test::jump_light(1.0);
+  EXPECT_LT(sample(sky, "latlong", 512).samples_per_pixel, 1.06);
+  EXPECT_LT(sample(sky, "fisheye", 512).samples_per_pixel, 1.35);
+  EXPECT_LT(sample(sky, "octahedral", 512).samples_per_pixel, 1.35);
+  EXPECT_LT(sample(sky, "latlong", 1024).samples_per_pixel, 1.03);
+}
+
+// Pixels of 0.02° far from the horizon and the sun: one direction; crossed by the horizon: more.
+TEST(PictureSampler, FewDirectionsForSmallPixels) {
+  const auto picture = std::move(make_projections({"latlong", 8192, {}}).front());
+  std::vector<Xyz> colour(16384);
+  const FormulaLight level = test::jump_light(1.0);
+  const PictureSampler sampler(level, *picture);
+  EXPECT_EQ(sampler.sample_row(4095, colour, {}), 16384u * 2u);  // the edge of the row is the horizon
+  EXPECT_EQ(sampler.sample_row(1000, colour, {}), 16384u);
+}
+
+// The mean spectrum of a pixel is made of the same directions as its colour.
+TEST(PictureSampler, SpectraGoWithColours) {
+  const FormulaLight sky = test::jump_light(2.0, 90.3);
+  const auto picture = std::move(make_projections({"fisheye", 31, SkyPart::sphere}).front());
+  const PictureSampler sampler(sky, *picture);
+  std::vector<Xyz> colour(31);
+  std::vector<float> radiance(31 * 3);
+  for (int row = 0; row < 31; ++row) {
+    sampler.sample_row(row, colour, radiance);
+    for (std::size_t i = 0; i < 31; ++i) {
+      EXPECT_NEAR(radiance[3 * i], colour[i].Y, 1e-5);
+      EXPECT_NEAR(radiance[3 * i + 2], 1.2 * colour[i].Y, 1e-5);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skylut
