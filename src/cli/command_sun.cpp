@@ -74,6 +74,7 @@ SkyScene scene_of(const Context& context, SunOptions& options) {
 
 SunIrradianceOptions irradiances(SunOptions& options) {
   SunIrradianceOptions asked;
+  asked.exact = options.scene.exact();
   asked.diffuse = !options.no_diffuse;
   asked.circumsolar_half_angle_deg = options.circumsolar_deg;
   if (options.tilt_azimuth_deg && !options.tilt_deg) throw InputError("--tilt-azimuth-deg: needs --tilt-deg");

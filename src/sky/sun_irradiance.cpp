@@ -1,8 +1,8 @@
 #include "skylut/sky/sun_irradiance.hpp"
 
 #include <cmath>
+#include <memory>
 
-#include "band_columns.hpp"
 #include "band_transmittance.hpp"
 #include "horizon.hpp"
 #include "plane_quadrature.hpp"
@@ -13,6 +13,8 @@
 #include "skylut/core/context.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/sky/continuous_sky.hpp"
+#include "skylut/sky/exact_sky.hpp"
 #include "skylut/transfer/direct_beam.hpp"
 
 namespace skylut {
@@ -83,33 +85,32 @@ std::vector<SkyIntegral> integrals(const SkyScene& scene, const SunIrradianceOpt
   return list;
 }
 
-// Sums of the sky's radiance with the weights of each quadrature.
+// Sum of the sky's radiance with the weights of a quadrature.
+std::vector<double> integrate(const SkyLight& sky, const SkyQuadrature& quadrature) {
+  std::vector<Direction> directions;
+  for (const RelativeView& view : quadrature.views)
+    directions.push_back({view.zenith_deg, sky.sun().azimuth_deg + view.relative_azimuth_deg});
+  const std::size_t width = sky.wavelengths().size();
+  std::vector<float> radiance(directions.size() * width);
+  sky.radiance(directions, radiance);
+  std::vector<double> total(width);
+  for (std::size_t view = 0; view < directions.size(); ++view)
+    for (std::size_t i = 0; i < width; ++i)
+      total[i] += quadrature.weight[view] * static_cast<double>(radiance[view * width + i]);
+  return total;
+}
+
 void add_sky(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
              const TransferOptions& transfer, SunIrradiance& result) {
-  const std::vector<SkyIntegral> list = integrals(scene, options, result);
-  SkyRequest request{scene.altitudes_km, {scene.suns[0].zenith_deg}, {}};
-  for (const SkyIntegral& integral : list)
-    request.views.insert(request.views.end(), integral.quadrature.views.begin(),
-                         integral.quadrature.views.end());
-
-  const BandColumns bands(scene);
-  const SkyRadiance sky =
-      solve_sky_radiance(context, scene.atmosphere->shells(), bands.columns, request, transfer);
-  result.instruction_set = sky.report().kernel;
-
-  std::size_t first = 0;
-  for (const SkyIntegral& integral : list) {
-    const std::vector<double>& weight = integral.quadrature.weight;
-    integral.total->assign(scene.wavelengths.size(), 0.0);
-    for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
-      for (std::size_t column = bands.first[i]; column < bands.first[i + 1]; ++column) {
-        double sum = 0.0;
-        for (std::size_t view = 0; view < weight.size(); ++view)
-          sum += weight[view] * static_cast<double>(sky.at(column, 0, 0, first + view));
-        (*integral.total)[i] += result.extraterrestrial[i] * bands.weights[column] * sum;
-      }
-    first += weight.size();
-  }
+  const auto solved = std::make_shared<const SolvedSky>(context, scene, transfer);
+  result.instruction_set = solved->report().kernel;
+  std::unique_ptr<const SkyLight> sky;
+  if (options.exact)
+    sky = std::make_unique<ExactSky>(solved, scene.altitudes_km[0], scene.suns[0]);
+  else
+    sky = std::make_unique<ContinuousSky>(context, solved, scene.altitudes_km[0], scene.suns[0]);
+  for (const SkyIntegral& integral : integrals(scene, options, result))
+    *integral.total = integrate(*sky, integral.quadrature);
 }
 
 }  // namespace

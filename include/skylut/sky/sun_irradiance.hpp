@@ -24,6 +24,7 @@ struct SunIrradianceOptions {
   double circumsolar_half_angle_deg =
       0.0;  ///< also the diffuse light within this angle of the sun, [0, 10]; 0: not
   std::optional<TiltedPlane> plane = std::nullopt;  ///< also the irradiance on it
+  bool exact = false;                               ///< the sky by lines of sight instead of a ContinuousSky
 };
 
 /// Transmittance of one constituent along the sun's beam.
