@@ -34,13 +34,6 @@ std::vector<fs::path> files_of_table(const fs::path& table) {
   return {table / "table.csv", table / "table.json"};
 }
 
-// Each name stands for itself.
-Kind<std::string> comparison_kind() {
-  std::vector<std::pair<std::string, std::string>> choices;
-  for (const std::string& name : comparison_names()) choices.emplace_back(name, name);
-  return choice<std::string>(choices);
-}
-
 void run(const CompareOptions& options, const std::string& command_line) {
   const Context context = program_context();
   const CompareReport report =
@@ -72,7 +65,7 @@ Command compare_command() {
   OptionSet& set = command.options;
   set.add("TABLE", options->table, file_in("DIR|FILE"), "folder of a table, or its table.csv").required =
       true;
-  Option& against = set.add("--against", options->against, comparison_kind(),
+  Option& against = set.add("--against", options->against, choice(comparison_names()),
                             fmt::format("{}", fmt::join(comparison_names(), " or ")));
   against.required = true;
   against.default_text.clear();

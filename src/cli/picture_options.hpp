@@ -28,7 +28,8 @@ class PictureRequest {
   /// Gives what was not given its default, so that it is recorded.
   void settle();
 
-  /// @throws InputError  naming the option: a hemisphere of a cube, preview options without --preview, a file that
+  /// @throws InputError  naming the option: a hemisphere of a cube, preview options without --preview, a file
+  /// that
   ///                     cannot be written
   void check(const std::filesystem::path& out) const;
 
