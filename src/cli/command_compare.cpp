@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -32,13 +31,6 @@ struct CompareOptions {
 std::vector<fs::path> files_of_table(const fs::path& table) {
   if (!fs::is_directory(table)) return {table};
   return {table / "table.csv", table / "table.json"};
-}
-
-// Each name stands for itself.
-Kind<std::string> comparison_kind() {
-  std::vector<std::pair<std::string, std::string>> choices;
-  for (const std::string& name : comparison_names()) choices.emplace_back(name, name);
-  return choice<std::string>(choices);
 }
 
 void run(const CompareOptions& options, const std::string& command_line) {
@@ -72,7 +64,7 @@ Command compare_command() {
   OptionSet& set = command.options;
   set.add("TABLE", options->table, file_in("DIR|FILE"), "folder of a table, or its table.csv").required =
       true;
-  Option& against = set.add("--against", options->against, comparison_kind(),
+  Option& against = set.add("--against", options->against, choice(comparison_names()),
                             fmt::format("{}", fmt::join(comparison_names(), " or ")));
   against.required = true;
   against.default_text.clear();

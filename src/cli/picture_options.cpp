@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "options/choice_list.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
 #include "skylut/export/sky_preview.hpp"
+#include "skylut/report/picture_report.hpp"
 
 namespace skylut::cli {
 
@@ -17,16 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Kind<std::string> names(const std::vector<std::string>& list) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const std::string& name : list) pairs.emplace_back(name, name);
-  return choice(std::move(pairs));
-}
-
 Kind<std::string> rgb_space_kind() {
   std::vector<std::string> list;
   for (const RgbSpace& space : rgb_spaces()) list.push_back(space.name);
-  return names(list);
+  return choice(list);
 }
 
 Kind<SkyPart> part_kind() {
@@ -48,7 +42,7 @@ Kind<WhiteAdaptation> adaptation_kind() {
 
 void PictureRequest::add_to(OptionSet& set) {
   set.group(kGroup);
-  set.add("--projection", projection_, names(projection_names()),
+  set.add("--projection", projection_, choice(projection_names()),
           "latlong (default), fisheye, fisheye-equisolid, cube, cube-cross or octahedral");
   set.add("--size", size_, whole_number(domain::kPictureSize_pixels),
           "height in pixels, default 256; of a cube, of one face");
@@ -99,13 +93,7 @@ void PictureRequest::write(const Context& context, const fs::path& out, const Sk
     also.push_back({*preview_, preview.png});
   }
   const PictureSummary summary = write_pictures(context, out, sky, options(), labels, also);
-  const double per_pixel = static_cast<double>(summary.directions) / static_cast<double>(summary.pixels);
-  fmt::print("{} pixels, {:.2f} directions each\n", summary.pixels, per_pixel);
-  fmt::print("luminance {:.5g} to {:.5g} cd/m2\n", summary.darkest_cd_m2, summary.brightest_cd_m2);
-  if (summary.outside_rgb > 0)
-    fmt::print("{} pixels have a colour outside {}: a negative R, G or B, kept as it is\n",
-               summary.outside_rgb, *rgb_space_);
-  for (const fs::path& file : summary.files) fmt::print("wrote {}\n", file.string());
+  fmt::print("{}", picture_report(summary, *rgb_space_));
   if (preview_) fmt::print("wrote {}: {}\n", preview_->string(), preview.description);
 }
 

@@ -42,17 +42,15 @@ ExrFile::~ExrFile() = default;
 
 void ExrFile::write_rows(int rows, std::initializer_list<std::span<const float>> groups) {
   const auto width = static_cast<std::size_t>(width_);
-  const auto first_row = static_cast<std::size_t>(output_->currentScanLine());
+  const Imath::V2i first_pixel(0, output_->currentScanLine());
   Imf::FrameBuffer frame;
   auto name = channels_.begin();
   for (const std::span<const float> group : groups) {
     const std::size_t channels = group.size() / (static_cast<std::size_t>(rows) * width);
-    const std::size_t row_bytes = width * channels * sizeof(float);
-    // OpenEXR counts rows from the picture's top: as if the rows before were in memory, too. It only reads.
-    const std::uintptr_t top = reinterpret_cast<std::uintptr_t>(group.data()) - first_row * row_bytes;
+    const std::size_t pixel_bytes = channels * sizeof(float);
     for (std::size_t i = 0; i < channels; ++i)
-      frame.insert(*name++, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(top + i * sizeof(float)),
-                                       channels * sizeof(float), row_bytes));
+      frame.insert(*name++, Imf::Slice::Make(Imf::FLOAT, group.data() + i, first_pixel, width_, rows,
+                                             pixel_bytes, width * pixel_bytes));
   }
   output_->setFrameBuffer(frame);
   output_->writePixels(rows);

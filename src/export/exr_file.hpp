@@ -13,8 +13,6 @@
 
 #include "skylut/core/atomic_file.hpp"
 
-namespace Imf = OPENEXR_IMF_NAMESPACE;
-
 namespace skylut {
 
 /// One OpenEXR file of 32-bit floats, written from the top row downwards, that appears when it is published.

@@ -7,8 +7,6 @@
 
 #include "skylut/export/sky_picture.hpp"
 
-namespace Imf = OPENEXR_IMF_NAMESPACE;
-
 /// What one OpenEXR file of a picture says and holds.
 namespace skylut {
 

@@ -40,4 +40,11 @@ Kind<T> choice(std::vector<std::pair<std::string, T>> choices) {
           }};
 }
 
+/// One of several names that mean themselves.
+inline Kind<std::string> choice(const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, std::string>> choices;
+  for (const std::string& name : names) choices.emplace_back(name, name);
+  return choice(std::move(choices));
+}
+
 }  // namespace skylut::cli
