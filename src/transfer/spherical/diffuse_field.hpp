@@ -2,6 +2,7 @@
 
 #include "azimuth_transform.hpp"
 #include "convergence.hpp"
+#include "horizon_deficit.hpp"
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
@@ -31,7 +32,8 @@ class DiffuseField {
         ground_irradiance_(count(1, 1)),
         step_weights_(static_cast<std::size_t>(grid.polar_nodes)),
         scaled_moments_(static_cast<std::size_t>(grid.moments)),
-        by_azimuthal_order_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {
+        by_azimuthal_order_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)),
+        horizon_(grid, optics) {
     source_moments_[kDown] = hemisphere_[kDown].data();
     source_moments_[kUp] = hemisphere_[kUp].data();
   }
@@ -44,6 +46,7 @@ class DiffuseField {
   /// irradiance of the ground [node], after solve; once each.
   LaneArray<V> take_moments();
   LaneArray<V> take_ground_irradiance() { return static_cast<LaneArray<V>&&>(ground_irradiance_); }
+  const HorizonRadiance<V>& horizon_radiance() const { return horizon_; }
 
  private:
   std::size_t count(int levels, int each) const {
@@ -81,6 +84,7 @@ class DiffuseField {
   LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
   LaneArray<V> scaled_moments_;
   LaneArray<V> by_azimuthal_order_;
+  HorizonRadiance<V> horizon_;
 };
 
 template <class V>
@@ -203,6 +207,7 @@ void DiffuseField<V>::analyse(Hemisphere hemisphere, int level, int node, LaneMa
   V* by_order = by_azimuthal_order_.data();
   for (int j = 0; j < grid_.polar_nodes; ++j)
     orders_of_azimuths(grid_, radiance + j * grid_.azimuth_nodes, by_order + j * azimuthal_orders);
+  horizon_.keep(hemisphere, level, node, active, by_order);
   V* found = scaled_moments_.data();
   for (int m = 0; m < azimuthal_orders; ++m)
     apply_matrix(grid_.polar_analysis[hemisphere][m], grid_.legendre_terms - m, grid_.polar_nodes,

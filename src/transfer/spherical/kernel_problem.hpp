@@ -35,6 +35,21 @@ struct SlantDepthView {
   const float* from_perigee_path_km;  ///< [point][layer]
 };
 
+/// The light of grazing directions between the polar nodes near the horizon: see HorizonNodes.
+struct HorizonWeights {
+  std::int32_t hemisphere = 0;
+  bool near = false;  ///< whether the direction is grazing at all
+  InterpolationWeights nodes;
+};
+
+/// See HorizonPeakTables.
+struct HorizonView {
+  int nodes;               ///< polar nodes near the horizon
+  int degrees;             ///< that are summed
+  const float* synthesis;  ///< [m][l >= m][node]: (2l+1) Λ_lm(|μ|)
+  const float* analysis;   ///< [m][l >= m][polar]: Σ analysis I_m = ½ ∫ Λ_lm(|μ|) I_m d|μ|
+};
+
 struct SweepView {
   SlantDepthView slant_depth;
   int sublayers;  ///< of the sweep; levels = sublayers + 1
@@ -62,6 +77,7 @@ struct SweepView {
   const int* first_piece;                      ///< [sublayer], one past the last
   const int* piece_layer;
   const float* piece_thickness_km;
+  HorizonView horizon;  ///< nodes 0: no column cuts off a peak
 };
 
 /// See ScaledLayers.
@@ -77,6 +93,9 @@ struct OpticsView {
   LayerView sweep_layers;
   const float* scattering_per_km;
   const float* peak_per_km;  ///< [layer][lane]: what delta-M takes for unscattered
+  int horizon_peaks;
+  const float* horizon_moment;
+  const float* horizon_share;
   const float* ground_albedo;
 };
 
@@ -151,6 +170,7 @@ struct DiffuseRayView {
   const SourcePiece* piece;
   const SourcePoint* source;                       ///< the last one is the ray's end
   const float* polar_moment;                       ///< [source][moment]: Λ_lm(μ) of the light there
+  const HorizonWeights* horizon;                   ///< [source]
   const InterpolationWeights* const* sun_weights;  ///< [source] → [pair], among the sun nodes
   const float* const* azimuth_factor;  ///< [source] → [pair][m], azimuth_stride apart: (2-δ_m0) cos mφ
 };

@@ -14,6 +14,7 @@ struct Solution {
   const SweepView& grid;
   LaneArray<V> moment;             // [level][node][moment]
   LaneArray<V> ground_irradiance;  // diffuse [node]
+  HorizonDeficit<V> horizon;
 
   const V* moments(int level, int node) const {
     return moment.data() +
@@ -50,12 +51,14 @@ struct RayScratch {
   RayScratch(const SweepView& grid, const RayView& ray, const DiffuseRayView& diffuse)
       : far_depth(static_cast<std::size_t>(ray.pairs)),
         degree_weight(static_cast<std::size_t>(diffuse.sources * grid.legendre_terms)),
+        peak_weight(static_cast<std::size_t>(diffuse.sources)),
         direction_weight(static_cast<std::size_t>(grid.moments)),
         source_azimuthal_orders(static_cast<std::size_t>(grid.sun_nodes * grid.azimuthal_orders)),
         node_use(static_cast<std::size_t>(grid.sun_nodes)),
         radiance(static_cast<std::size_t>(ray.pairs)) {}
   LaneArray<V> far_depth;                // observer to point to sun, at the end of the last lit part [pair]
   LaneArray<V> degree_weight;            // see weigh_sources [source][degree]
+  LaneArray<V> peak_weight;              // the same of the forward peak that is cut off [source]
   LaneArray<V> direction_weight;         // the same times Λ_lm(μ), at one source [moment]
   LaneArray<V> source_azimuthal_orders;  // [sun node][m]
   LaneArray<NodeUse<V>> node_use;        // at one source [sun node]
@@ -125,8 +128,10 @@ inline void single_scattering(const SweepView& grid, const OpticsView& optics, c
 /// source point to the next. [T1, L3]
 template <class V>
 inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const DiffuseRayView& diffuse,
-                          LaneArray<V>& degree_weight) {
+                          RayScratch<V>& scratch) {
+  LaneArray<V>& degree_weight = scratch.degree_weight;
   degree_weight.fill(V{});
+  scratch.peak_weight.fill(V{});
   V depth{};
   for (int i = 0; i < diffuse.pieces; ++i) {
     const SourcePiece& piece = diffuse.piece[i];
@@ -143,6 +148,10 @@ inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const
       at_near[l] += near * load<V>(factor + l * kLaneCount<V>);
       at_far[l] += far * load<V>(factor + l * kLaneCount<V>);
     }
+    const V share = load<V>(optics.peak_per_km + piece.layer * kLaneCount<V>) * piece.length_km /
+                    lane_max(step, broadcast<V>(1e-30f));
+    scratch.peak_weight.data()[piece.source] += near * share;
+    scratch.peak_weight.data()[piece.source + 1] += far * share;
     depth += step;
   }
 }
@@ -169,13 +178,17 @@ inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView&
       for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * lower[i];
       orders[m] = sum;
     }
-    if (!between) continue;
-    const V* upper = field.moments(level + 1, node);
-    for (int m = 0; m < grid.azimuthal_orders; ++m) {
-      V sum{};
-      for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * upper[i];
-      orders[m] += (sum - orders[m]) * source.fraction;
+    if (between) {
+      const V* upper = field.moments(level + 1, node);
+      for (int m = 0; m < grid.azimuthal_orders; ++m) {
+        V sum{};
+        for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i)
+          sum += direction[i] * upper[i];
+        orders[m] += (sum - orders[m]) * source.fraction;
+      }
     }
+    field.horizon.add(diffuse.horizon[at], level, between ? source.fraction : 0.0f, node,
+                      scratch.peak_weight.data()[at], orders);
   }
 }
 
@@ -184,7 +197,7 @@ template <class V>
 inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                                const DiffuseRayView& diffuse, const Solution<V>& field,
                                RayScratch<V>& scratch, V* out) {
-  weigh_sources(grid, optics, diffuse, scratch.degree_weight);
+  weigh_sources(grid, optics, diffuse, scratch);
   const int stride = grid.azimuthal_orders;
   for (int at = 0; at < diffuse.sources; ++at) {
     const InterpolationWeights* suns = diffuse.sun_weights[at];
@@ -238,7 +251,8 @@ class SolvedLanes final : public SolvedBlock {
       : optics_(optics),
         slant_depth_(static_cast<SlantDepthToSun<V>&&>(slant_depth)),
         slant_peak_depth_(grid.slant_depth, optics.peak_per_km),
-        solution_{grid, field.take_moments(), field.take_ground_irradiance()} {}
+        solution_{grid, field.take_moments(), field.take_ground_irradiance(),
+                  HorizonDeficit<V>(grid, optics, field.horizon_radiance())} {}
 
   /// Radiance of the ray for every pair: L1 + L3 + L4.
   void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "angular_grid.hpp"
+#include "interpolation.hpp"
+#include "kernel_problem.hpp"
+#include "skylut/scattering/optical_column.hpp"
+
+namespace skylut::transfer {
+
+/// A forward peak smaller than this share of the scattering needs no correction at the horizon.
+inline constexpr double kLeastHorizonPeak = 2e-3;
+
+/// Delta-M takes the forward peak for light that goes straight on. Close to the horizon the radiance jumps
+/// within the peak's width, from the sky to the dark ground, and what the peak scatters into a grazing line
+/// of sight comes from both: with the peak P_peak = Σ (2l+1) p_l P_l, p_l = 1 up to L and χ_l/χ_{L+1} beyond,
+/// lines of sight lack the source
+///   β_peak C,   C = (1/4π) ∫ P_peak(Ω·Ω') I(Ω') dΩ' - I(Ω),
+/// which is kept at the polar nodes near the horizon. [theory.md §4.6, L6]
+
+/// The polar nodes near the horizon and the way in which lines of sight interpolate between them.
+class HorizonNodes {
+ public:
+  explicit HorizonNodes(const AngularGrid& angles);
+
+  int count() const { return count_; }
+  /// @param mu  of the light, in [-1, 1]
+  HorizonWeights at(double mu) const;
+
+ private:
+  int count_;
+  CubicInterpolation among_nodes_;  // in √|μ|
+};
+
+/// What turns the radiance at the polar nodes into C: pure geometry.
+class HorizonPeakTables {
+ public:
+  /// @param nodes  of HorizonNodes
+  HorizonPeakTables(const AngularGrid& angles, int nodes);
+
+  HorizonView view() const;
+
+ private:
+  int nodes_;
+  std::vector<float> synthesis_;
+  std::vector<float> analysis_;
+};
+
+/// The peaks of the columns of one block.
+struct HorizonPeaks {
+  int peaks = 0;              ///< the most that a lane has
+  std::vector<float> moment;  ///< [peak][l][lane]: p_l
+  std::vector<float> share;   ///< [layer of the sweep][peak][lane]: of the layer's β_peak
+
+  HorizonPeaks() = default;
+  /// @param columns  of merged layers, one per lane
+  HorizonPeaks(std::span<const OpticalColumn> columns, int max_l);
+};
+
+}  // namespace skylut::transfer
