@@ -1,8 +1,9 @@
 #pragma once
 
+#include "angular_sizes.hpp"
 #include "azimuth_transform.hpp"
 #include "convergence.hpp"
-#include "horizon_deficit.hpp"
+#include "horizon_light.hpp"
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
@@ -14,11 +15,14 @@
 
 namespace skylut::transfer {
 
-template <class V>
+/// @tparam Sizes  of the angular transforms: AnySizes or FixedSizes
+template <class V, class Sizes>
 class DiffuseField {
  public:
-  DiffuseField(const SweepView& grid, const OpticsView& optics, const SlantDepthToSun<V>& slant_depth)
+  DiffuseField(const SweepView& grid, const Sizes& sizes, const OpticsView& optics,
+               const SlantDepthToSun<V>& slant_depth)
       : grid_(grid),
+        sizes_(sizes),
         optics_(optics),
         slant_depth_(slant_depth),
         hemisphere_{LaneArray<V>(count(grid.sublayers + 1, grid.moments)),
@@ -46,13 +50,14 @@ class DiffuseField {
   /// irradiance of the ground [node], after solve; once each.
   LaneArray<V> take_moments();
   LaneArray<V> take_ground_irradiance() { return static_cast<LaneArray<V>&&>(ground_irradiance_); }
-  const HorizonRadiance<V>& horizon_radiance() const { return horizon_; }
+  /// What the sweep found near the ground.
+  const HorizonLight<V>& horizon_light() const { return horizon_; }
 
  private:
   std::size_t count(int levels, int each) const {
     return static_cast<std::size_t>(levels) * static_cast<std::size_t>(grid_.sun_nodes * each);
   }
-  int directions() const { return grid_.polar_nodes * grid_.azimuth_nodes; }
+  int directions() const { return sizes_.polar_nodes * sizes_.azimuth_nodes; }
   std::size_t moment_index(int level, int node) const {
     return static_cast<std::size_t>(level * grid_.sun_nodes + node) * static_cast<std::size_t>(grid_.moments);
   }
@@ -70,6 +75,7 @@ class DiffuseField {
   void transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level);
 
   const SweepView& grid_;
+  const Sizes sizes_;
   const OpticsView& optics_;
   const SlantDepthToSun<V>& slant_depth_;
   const V* source_moments_[2];     // that make the source: hemisphere_, or those of one order less
@@ -84,11 +90,11 @@ class DiffuseField {
   LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
   LaneArray<V> scaled_moments_;
   LaneArray<V> by_azimuthal_order_;
-  HorizonRadiance<V> horizon_;
+  HorizonLight<V> horizon_;
 };
 
-template <class V>
-IterationReport DiffuseField<V>::solve(const IterationLimits& limits) {
+template <class V, class Sizes>
+IterationReport DiffuseField<V, Sizes>::solve(const IterationLimits& limits) {
   IterationReport report;
   const auto stops = [&] {
     const bool asked = limits.cancelled != nullptr && limits.cancelled(limits.token);
@@ -119,6 +125,7 @@ IterationReport DiffuseField<V>::solve(const IterationLimits& limits) {
   while (report.iterations < limits.max_iterations) {
     if (stops()) return report;
     ++report.iterations;
+    horizon_.open(Convergence<V>::judges(report.iterations));
     sweep_down(active);
     reflect_at_ground(active, false);
     sweep_up(active);
@@ -131,8 +138,8 @@ IterationReport DiffuseField<V>::solve(const IterationLimits& limits) {
   return report;
 }
 
-template <class V>
-V DiffuseField<V>::beam_transmission(int point, int node) const {
+template <class V, class Sizes>
+V DiffuseField<V, Sizes>::beam_transmission(int point, int node) const {
   const SlantDepthWeights& weights = grid_.beam_weights[point * grid_.sun_nodes + node];
   return weights.from_level == kShadow ? V{} : exp_minus(slant_depth_(weights));
 }
@@ -143,8 +150,8 @@ V DiffuseField<V>::beam_transmission(int point, int node) const {
 ///   T₁)/6,
 /// while transport takes T as linear between the ends, of mean (T₀ + T₁)/2. Both are therefore multiplied by
 ///   c = 2T̄/(T₀ + T₁). Without it a low sun is 1 % off. [M4]
-template <class V>
-void DiffuseField<V>::attenuate_beam() {
+template <class V, class Sizes>
+void DiffuseField<V, Sizes>::attenuate_beam() {
   const int levels = grid_.sublayers + 1;
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* level = beam_.data() + node;
@@ -174,44 +181,48 @@ void DiffuseField<V>::attenuate_beam() {
 ///   P_l(cosΘ) = Σ_m (2-δ_m0) Λ_lm(μ) Λ_lm(μ') cos m(φ-φ'),
 /// so that of I only its moments M_lm count, and of the beam, c T δ(Ω'-Ω_sun), c T Λ_lm(-μs)/4π:
 ///   J = Σ_m (2-δ_m0) cos mφ Σ_l ω (2l+1) χ_l Λ_lm(μ) [M_lm + c T Λ_lm(-μs)/4π]. [M3, M4]
-template <class V>
-void DiffuseField<V>::source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count,
-                             V* to) {
+template <class V, class Sizes>
+void DiffuseField<V, Sizes>::source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count,
+                                    V* to) {
   const int layer = grid_.layer_of_sublayer[sublayer];
   const V transmission = beam_.data()[level * grid_.sun_nodes + node] *
                          beam_mean_factor_.data()[sublayer * grid_.sun_nodes + node];
   const V* down = source_moments_[kDown] + moment_index(level, node);
   const V* up = source_moments_[kUp] + moment_index(level, node);
   const float* beam_moment = grid_.beam_moment + node * grid_.moments;
-  const float* factor = optics_.sweep_layers.source_factor + layer * grid_.legendre_terms * kLaneCount<V>;
+  const float* factor = optics_.sweep_layers.source_factor + layer * sizes_.legendre_terms * kLaneCount<V>;
   V* scaled = scaled_moments_.data();
   for (int i = 0; i < grid_.moments; ++i)
     scaled[i] = (down[i] + up[i] + transmission * beam_moment[i]) *
                 load<V>(factor + grid_.moment_degree[i] * kLaneCount<V>);
 
-  const int azimuthal_orders = grid_.azimuthal_orders;
+  const int azimuthal_orders = sizes_.azimuthal_orders;
   V* by_order = by_azimuthal_order_.data();
-  for (int m = 0; m < azimuthal_orders; ++m)
-    apply_matrix(grid_.polar_synthesis[hemisphere][m], polar_count, grid_.legendre_terms - m,
-                 scaled + grid_.moment_offset[m], 1, by_order + m, azimuthal_orders);
+  sizes_.for_orders([&](auto order) {
+    const int m = value_of<V>(order);
+    polar_of_degrees(sizes_, order, grid_.polar_synthesis[hemisphere][m], scaled + grid_.moment_offset[m],
+                     by_order + m, azimuthal_orders);
+  });
   for (int j = 0; j < polar_count; ++j)
-    azimuths_of_orders(grid_, by_order + j * azimuthal_orders, to + j * grid_.azimuth_nodes);
+    azimuths_of_orders(grid_, sizes_, by_order + j * azimuthal_orders, to + j * sizes_.azimuth_nodes);
 }
 
 /// Moments of one hemisphere's radiance at the level that the sweep has reached. Lanes that have
 /// converged keep theirs. [M1, T3]
-template <class V>
-void DiffuseField<V>::analyse(Hemisphere hemisphere, int level, int node, LaneMask<V> active) {
-  const int azimuthal_orders = grid_.azimuthal_orders;
+template <class V, class Sizes>
+void DiffuseField<V, Sizes>::analyse(Hemisphere hemisphere, int level, int node, LaneMask<V> active) {
+  const int azimuthal_orders = sizes_.azimuthal_orders;
   const V* radiance = radiance_.data() + node * directions();
   V* by_order = by_azimuthal_order_.data();
-  for (int j = 0; j < grid_.polar_nodes; ++j)
-    orders_of_azimuths(grid_, radiance + j * grid_.azimuth_nodes, by_order + j * azimuthal_orders);
+  for (int j = 0; j < sizes_.polar_nodes; ++j)
+    orders_of_azimuths(grid_, sizes_, radiance + j * sizes_.azimuth_nodes, by_order + j * azimuthal_orders);
   horizon_.keep(hemisphere, level, node, active, by_order);
   V* found = scaled_moments_.data();
-  for (int m = 0; m < azimuthal_orders; ++m)
-    apply_matrix(grid_.polar_analysis[hemisphere][m], grid_.legendre_terms - m, grid_.polar_nodes,
-                 by_order + m, azimuthal_orders, found + grid_.moment_offset[m], 1);
+  sizes_.for_orders([&](auto order) {
+    const int m = value_of<V>(order);
+    degrees_of_polar(sizes_, order, grid_.polar_analysis[hemisphere][m], by_order + m, azimuthal_orders,
+                     found + grid_.moment_offset[m]);
+  });
   V* kept = hemisphere_[hemisphere].data() + moment_index(level, node);
   for (int i = 0; i < grid_.moments; ++i) kept[i] = select<V>(active, found[i], kept[i]);
 }
@@ -221,23 +232,23 @@ void DiffuseField<V>::analyse(Hemisphere hemisphere, int level, int node, LaneMa
 /// for a J linear in optical depth (StepWeights). What stands at the start, e^-t I + upwind J, is
 /// interpolated there in polar angle, then in solar zenith angle, since the sun stands otherwise where the
 /// ray started. The azimuth is kept: over one step it turns by less than what the nodes resolve. [T1, T2]
-template <class V>
-void DiffuseField<V>::transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level) {
-  const int azimuths = grid_.azimuth_nodes;
+template <class V, class Sizes>
+void DiffuseField<V, Sizes>::transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level) {
+  const int azimuths = sizes_.azimuth_nodes;
   const V beta = extinction(grid_.layer_of_sublayer[sublayer]);
-  const PolarStep* steps = grid_.polar_step[hemisphere] + sublayer * grid_.polar_nodes;
+  const PolarStep* steps = grid_.polar_step[hemisphere] + sublayer * sizes_.polar_nodes;
   int chord_count = 0;
-  for (int j = 0; j < grid_.polar_nodes; ++j) {
+  for (int j = 0; j < sizes_.polar_nodes; ++j) {
     step_weights_.data()[j] = step_weights(beta * steps[j].length_km);
     if (steps[j].chord) chord_count = j + 1;
   }
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* start_source = local_source_.data() + node * directions();
-    source(hemisphere, sublayer, start_level, node, grid_.polar_nodes, start_source);
+    source(hemisphere, sublayer, start_level, node, sizes_.polar_nodes, start_source);
     const V* radiance = radiance_.data() + node * directions();
     V* upwind = upwind_.data() + node * directions();
-    for (int j = chord_count; j < grid_.polar_nodes; ++j) {
+    for (int j = chord_count; j < sizes_.polar_nodes; ++j) {
       const StepWeights<V>& weights = step_weights_.data()[j];
       const InterpolationWeights& nodes = steps[j].upwind;
       V transmitted[4];
@@ -268,12 +279,12 @@ void DiffuseField<V>::transport(Hemisphere hemisphere, int sublayer, int start_l
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* end_source = local_source_.data() + node * directions();
-    source(hemisphere, sublayer, end_level, node, grid_.polar_nodes, end_source);
+    source(hemisphere, sublayer, end_level, node, sizes_.polar_nodes, end_source);
     V* radiance = radiance_.data() + node * directions();
     const InterpolationWeights* suns =
         grid_.sun_weights[hemisphere] +
         static_cast<std::size_t>(sublayer * grid_.sun_nodes + node) * static_cast<std::size_t>(directions());
-    for (int j = 0; j < grid_.polar_nodes; ++j) {
+    for (int j = 0; j < sizes_.polar_nodes; ++j) {
       const V local = step_weights_.data()[j].local;
       for (int d = j * azimuths; d < (j + 1) * azimuths; ++d) {
         const V* from = upwind_.data() + suns[d].first * directions() + d;
@@ -285,10 +296,10 @@ void DiffuseField<V>::transport(Hemisphere hemisphere, int sublayer, int start_l
   }
 }
 
-template <class V>
-void DiffuseField<V>::sweep_down(LaneMask<V> active) {
+template <class V, class Sizes>
+void DiffuseField<V, Sizes>::sweep_down(LaneMask<V> active) {
   radiance_.fill(V{});  // nothing but the beam enters at the top
-  const int chord_directions = grid_.chord_nodes * grid_.azimuth_nodes;
+  const int chord_directions = grid_.chord_nodes * sizes_.azimuth_nodes;
   for (int level = grid_.sublayers - 1; level >= -1; --level) {
     for (int node = 0; node < grid_.sun_nodes; ++node) {
       V* kept = chords_.data() + static_cast<std::size_t>((level + 1) * grid_.sun_nodes + node) *
@@ -303,8 +314,8 @@ void DiffuseField<V>::sweep_down(LaneMask<V> active) {
 
 /// Lambertian ground: I = A/π (diffuse irradiance + μs T). Order by order the irradiance is that of one order
 /// less. [T4, I4]
-template <class V>
-void DiffuseField<V>::reflect_at_ground(LaneMask<V> active, bool by_order) {
+template <class V, class Sizes>
+void DiffuseField<V, Sizes>::reflect_at_ground(LaneMask<V> active, bool by_order) {
   const V albedo = load<V>(optics_.ground_albedo);
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* radiance = radiance_.data() + node * directions();
@@ -321,16 +332,16 @@ void DiffuseField<V>::reflect_at_ground(LaneMask<V> active, bool by_order) {
   }
 }
 
-template <class V>
-void DiffuseField<V>::sweep_up(LaneMask<V> active) {
+template <class V, class Sizes>
+void DiffuseField<V, Sizes>::sweep_up(LaneMask<V> active) {
   for (int sublayer = 0; sublayer < grid_.sublayers; ++sublayer) {
     transport(kUp, sublayer, sublayer, sublayer + 1);
     for (int node = 0; node < grid_.sun_nodes; ++node) analyse(kUp, sublayer + 1, node, active);
   }
 }
 
-template <class V>
-LaneArray<V> DiffuseField<V>::take_moments() {
+template <class V, class Sizes>
+LaneArray<V> DiffuseField<V, Sizes>::take_moments() {
   const std::size_t size = count(grid_.sublayers + 1, grid_.moments);
   for (std::size_t i = 0; i < size; ++i) hemisphere_[kDown].data()[i] += hemisphere_[kUp].data()[i];
   return static_cast<LaneArray<V>&&>(hemisphere_[kDown]);

@@ -191,7 +191,7 @@ Discretisation::Discretisation(const CommonGrid& common_, const DiscretisationKe
       layer_of_sublayer(layers_of(common.merge.shells(), sublayers)),
       angles(key.angles),
       cuts_peak(key.cuts_peak),
-      horizon(angles),
+      horizon(angles, sublayers, layer_of_sublayer),
       stencil(sublayers, angles, common.sun_nodes_deg),
       beam(common, sublayers) {}
 

@@ -6,6 +6,7 @@
 #include "angular_grid.hpp"
 #include "interpolation.hpp"
 #include "kernel_problem.hpp"
+#include "shell_geometry.hpp"
 #include "skylut/scattering/optical_column.hpp"
 
 namespace skylut::transfer {
@@ -20,30 +21,41 @@ inline constexpr double kLeastHorizonPeak = 2e-3;
 ///   β_peak C,   C = (1/4π) ∫ P_peak(Ω·Ω') I(Ω') dΩ' - I(Ω),
 /// which is kept at the polar nodes near the horizon. [theory.md §4.6, L6]
 
-/// The polar nodes near the horizon and the way in which lines of sight interpolate between them.
+/// The polar nodes and levels near the horizon and the ground, and the way in which lines of sight interpolate
+/// between them.
 class HorizonNodes {
  public:
-  explicit HorizonNodes(const AngularGrid& angles);
+  /// @param layer_of_sublayer  merged layers
+  HorizonNodes(const AngularGrid& angles, const ShellGeometry& sublayers,
+               const std::vector<int>& layer_of_sublayer);
 
   int count() const { return count_; }
+  int levels() const { return static_cast<int>(altitude_km_.size()); }
+  /// By level of the sweep: its place among those that are kept, or -1.
+  const std::vector<int>& place_of_level() const { return place_of_level_; }
+  /// By level that is kept: the merged layer above it (of the top level, below).
+  const std::vector<int>& layer_of_level() const { return layer_of_level_; }
   /// @param mu  of the light, in [-1, 1]
-  HorizonWeights at(double mu) const;
+  HorizonWeights at(double mu, double altitude_km) const;
 
  private:
   int count_;
-  CubicInterpolation among_nodes_;  // in √|μ|
+  CubicInterpolation among_nodes_;   // in √|μ|
+  std::vector<double> altitude_km_;  // of the levels that are kept
+  std::vector<int> place_of_level_;
+  std::vector<int> layer_of_level_;
 };
 
 /// What turns the radiance at the polar nodes into C: pure geometry.
 class HorizonPeakTables {
  public:
-  /// @param nodes  of HorizonNodes
-  HorizonPeakTables(const AngularGrid& angles, int nodes);
+  /// @param nodes  must outlive the tables
+  HorizonPeakTables(const AngularGrid& angles, const HorizonNodes& nodes);
 
   HorizonView view() const;
 
  private:
-  int nodes_;
+  const HorizonNodes& nodes_;
   std::vector<float> synthesis_;
   std::vector<float> analysis_;
 };

@@ -35,11 +35,13 @@ struct SlantDepthView {
   const float* from_perigee_path_km;  ///< [point][layer]
 };
 
-/// The light of grazing directions between the polar nodes near the horizon: see HorizonNodes.
+/// Where a grazing direction near the ground lies between the polar nodes and levels of HorizonNodes.
 struct HorizonWeights {
+  bool near = false;  ///< whether it is one
   std::int32_t hemisphere = 0;
-  bool near = false;  ///< whether the direction is grazing at all
   InterpolationWeights nodes;
+  std::int32_t level = 0;  ///< among those that are kept
+  float fraction = 0.0f;   ///< of the way to the next one
 };
 
 /// See HorizonPeakTables.
@@ -48,6 +50,9 @@ struct HorizonView {
   int degrees;             ///< that are summed
   const float* synthesis;  ///< [m][l >= m][node]: (2l+1) Λ_lm(|μ|)
   const float* analysis;   ///< [m][l >= m][polar]: Σ analysis I_m = ½ ∫ Λ_lm(|μ|) I_m d|μ|
+  int levels;                 ///< that are kept
+  const int* place_of_level;  ///< [level of the sweep]: among those that are kept; -1: it is not
+  const int* layer_of_level;  ///< [level that is kept]: merged layer above it (of the top level, below)
 };
 
 struct SweepView {
@@ -184,6 +189,12 @@ class SolvedBlock {
   /// @param radiance  sr⁻¹, [pair][lane]
   virtual void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
                              const float* peaks, float* radiance) const = 0;
+
+  /// The radiance in parts that know no phase function: Σ_i P_i A_i - Q1_i B_i + Q2_i C_i + D with the
+  /// scatterers' amplitudes A, B, C (see single_scattering_amplitudes) and the diffuse light D, which may
+  /// undershoot 0 where line_of_sight clamps.
+  /// @param parts  sr⁻¹, [A of each scatterer, B of each, C of each, D][pair][lane]
+  virtual void parts_of_sight(const RayView& ray, const DiffuseRayView& diffuse, float* parts) const = 0;
 };
 
 /// Solves the diffuse field of one block; the views must outlive the result. The caller owns it.

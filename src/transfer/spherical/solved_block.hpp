@@ -1,258 +1,23 @@
 #pragma once
 
 #include "diffuse_field.hpp"
+#include "line_of_sight.hpp"
 
-// A block of lanes from its optics to a solved diffuse field (solve_block, at the end), and from that the
-// radiance along one line of sight for all suns and azimuths that share it: the diffuse field's source by its
-// moments, and the sun's single scattering exactly. [theory.md §4.6, L1-L4]
+// A block of lanes from its optics to a solved diffuse field (solve_block, at the end), which then answers
+// lines of sight. As in lanes.hpp, templates only.
 
 namespace skylut::transfer {
-
-/// The diffuse field after the iteration.
-template <class V>
-struct Solution {
-  const SweepView& grid;
-  LaneArray<V> moment;             // [level][node][moment]
-  LaneArray<V> ground_irradiance;  // diffuse [node]
-  HorizonDeficit<V> horizon;
-
-  const V* moments(int level, int node) const {
-    return moment.data() +
-           static_cast<std::size_t>(level * grid.sun_nodes + node) * static_cast<std::size_t>(grid.moments);
-  }
-};
-
-/// Mean of e^-a over a step in which a goes linearly from a0 to a1: with t = a1 - a0 that is
-/// e^-(a0+a1)/2 sinh(t/2)/(t/2), by its series where |t| < 3 (remainder 1.5^10/11! = 1.4e-6), otherwise
-/// (e^-a0 - e^-a1)/t. [L2]
-template <class V>
-inline V mean_attenuation(V a0, V a1) {
-  const V t = a1 - a0;
-  const V square = t * t;
-  V series = square * (1.0f / 92897280.0f) + 1.0f / 322560.0f;
-  series = series * square + 1.0f / 1920.0f;
-  series = series * square + 1.0f / 24.0f;
-  series = series * square + 1.0f;
-  const V mean = exp_minus(0.5f * (a0 + a1)) * series;
-  const LaneMask<V> steep = square >= 9.0f;
-  if (!any_lane<V>(steep)) return mean;
-  return select<V>(steep, (exp_minus(a0) - exp_minus(a1)) / select<V>(steep, t, broadcast<V>(1.0f)), mean);
-}
-
-/// Whether a pair interpolates from a sun node. (A template as everything here: each build has its own.)
-template <class V>
-struct NodeUse {
-  bool wanted = false;
-};
-
-/// Scratch space of a line of sight.
-template <class V>
-struct RayScratch {
-  RayScratch(const SweepView& grid, const RayView& ray, const DiffuseRayView& diffuse)
-      : far_depth(static_cast<std::size_t>(ray.pairs)),
-        degree_weight(static_cast<std::size_t>(diffuse.sources * grid.legendre_terms)),
-        peak_weight(static_cast<std::size_t>(diffuse.sources)),
-        direction_weight(static_cast<std::size_t>(grid.moments)),
-        source_azimuthal_orders(static_cast<std::size_t>(grid.sun_nodes * grid.azimuthal_orders)),
-        node_use(static_cast<std::size_t>(grid.sun_nodes)),
-        radiance(static_cast<std::size_t>(ray.pairs)) {}
-  LaneArray<V> far_depth;                // observer to point to sun, at the end of the last lit part [pair]
-  LaneArray<V> degree_weight;            // see weigh_sources [source][degree]
-  LaneArray<V> peak_weight;              // the same of the forward peak that is cut off [source]
-  LaneArray<V> direction_weight;         // the same times Λ_lm(μ), at one source [moment]
-  LaneArray<V> source_azimuthal_orders;  // [sun node][m]
-  LaneArray<NodeUse<V>> node_use;        // at one source [sun node]
-  LaneArray<V> radiance;                 // [pair]
-};
-
-/// What the medium's scattering towards the sun's neighbourhood gains and loses because the truncated peak
-/// spreads the light by `peak_depth`, the depth of the peak on the whole way. [L5]
-template <class V>
-inline V spread_scattering(const float* scattering_per_km, std::ptrdiff_t stride, const float* peaks,
-                           int scatterers, V peak_depth) {
-  const V m = lane_min(peak_depth, broadcast<V>(1.0f));  // the series has two terms
-  V gained{};
-  for (int s = 0; s < scatterers; ++s)
-    gained +=
-        load<V>(scattering_per_km + s * stride) *
-        (load<V>(peaks + (scatterers + s) * kLaneCount<V>) * (0.5f * m) - load<V>(peaks + s * kLaneCount<V>));
-  return gained * m;
-}
-
-/// Single scattering of the sun for all pairs. A point at the distance s scatters β_sca P(Θ)/4π of the beam
-/// that reaches it, e^-τ(point to sun), towards the observer, and e^-τ(observer to point) of that arrives:
-///   I₁ = (1/4π) Σ_i P_i(Θ) ∫ β_sca,i e^-a ds,  a = τ(observer to point) + τ(point to sun),
-/// Θ being the same all along a straight ray. On a lit part β_sca is constant and a goes linearly from a0 to
-/// a1 (mean_attenuation). Segment by segment, so that what the pairs look up of the sun's depth lies close
-/// together. [L1, L2, L5]
-template <class V>
-inline void single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                              const float* phases, const float* peaks, const SlantDepthToSun<V>& slant_depth,
-                              const SlantDepthToSun<V>& slant_peak_depth, RayScratch<V>& scratch, V* out) {
-  const std::ptrdiff_t stride = grid.slant_depth.layers * kLaneCount<V>;
-  V* const far_depth = scratch.far_depth.data();
-  V depth{};
-  V peak_depth{};
-  for (int segment = 0; segment < ray.segments; ++segment) {
-    const int layer = ray.segment[segment].layer;
-    const V beta = load<V>(optics.layers.extinction_per_km + layer * kLaneCount<V>);
-    const V peak = load<V>(optics.peak_per_km + layer * kLaneCount<V>);
-    const float* scattering_per_km = optics.scattering_per_km + layer * kLaneCount<V>;
-    for (int part = ray.first_lit[segment]; part < ray.first_lit[segment + 1]; ++part) {
-      const LitPart& lit = ray.lit[part];
-      const SlantDepthWeights& far_end = ray.lit_end[lit.near_end + 1];
-      const float* phase = phases + lit.pair * optics.scatterers * kLaneCount<V>;
-      V scattering{};
-      for (int s = 0; s < optics.scatterers; ++s)
-        scattering += load<V>(scattering_per_km + s * stride) * load<V>(phase + s * kLaneCount<V>);
-      if (ray.aureole[lit.pair] >= 0)
-        scattering += spread_scattering(
-            scattering_per_km, stride, peaks + ray.aureole[lit.pair] * 2 * optics.scatterers * kLaneCount<V>,
-            optics.scatterers,
-            peak_depth + peak * (lit.start_km + lit.length_km) + slant_peak_depth(far_end));
-      const V start_depth = depth + beta * lit.start_km;
-      const V near_depth =
-          lit.continues ? far_depth[lit.pair] : start_depth + slant_depth(ray.lit_end[lit.near_end]);
-      const V end_depth = start_depth + beta * lit.length_km + slant_depth(far_end);
-      far_depth[lit.pair] = end_depth;
-      out[lit.pair] +=
-          scattering * mean_attenuation(near_depth, end_depth) * (lit.length_km * kInverseFourPi);
-    }
-    depth += beta * ray.segment[segment].length_km;
-    peak_depth += peak * ray.segment[segment].length_km;
-  }
-}
-
-/// What every source point's moments of each degree contribute to the radiance: ω (2l+1) χ_l of the medium's
-/// own layers, weighted by the formal solution over every piece, in which the moments go linearly from one
-/// source point to the next. [T1, L3]
-template <class V>
-inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const DiffuseRayView& diffuse,
-                          RayScratch<V>& scratch) {
-  LaneArray<V>& degree_weight = scratch.degree_weight;
-  degree_weight.fill(V{});
-  scratch.peak_weight.fill(V{});
-  V depth{};
-  for (int i = 0; i < diffuse.pieces; ++i) {
-    const SourcePiece& piece = diffuse.piece[i];
-    const V step = load<V>(optics.layers.extinction_per_km + piece.layer * kLaneCount<V>) * piece.length_km;
-    const StepWeights<V> weights = step_weights(step);
-    const V transmission = exp_minus(depth);
-    const V near = transmission * (weights.local * (1.0f - piece.near_fraction) +
-                                   weights.upwind * (1.0f - piece.far_fraction));
-    const V far = transmission * (weights.local * piece.near_fraction + weights.upwind * piece.far_fraction);
-    const float* factor = optics.layers.source_factor + piece.layer * grid.legendre_terms * kLaneCount<V>;
-    V* const at_near = degree_weight.data() + piece.source * grid.legendre_terms;
-    V* const at_far = at_near + grid.legendre_terms;
-    for (int l = 0; l < grid.legendre_terms; ++l) {
-      at_near[l] += near * load<V>(factor + l * kLaneCount<V>);
-      at_far[l] += far * load<V>(factor + l * kLaneCount<V>);
-    }
-    const V share = load<V>(optics.peak_per_km + piece.layer * kLaneCount<V>) * piece.length_km /
-                    lane_max(step, broadcast<V>(1e-30f));
-    scratch.peak_weight.data()[piece.source] += near * share;
-    scratch.peak_weight.data()[piece.source + 1] += far * share;
-    depth += step;
-  }
-}
-
-/// Contribution of one source point before its azimuth is known: azimuthal orders under the wanted sun nodes.
-/// [M3]
-template <class V>
-inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView& diffuse,
-                                    const Solution<V>& field, int at, RayScratch<V>& scratch) {
-  const SourcePoint& source = diffuse.source[at];
-  const float* polar = diffuse.polar_moment + at * grid.moments;
-  const V* degree = scratch.degree_weight.data() + at * grid.legendre_terms;
-  V* const direction = scratch.direction_weight.data();
-  for (int i = 0; i < grid.moments; ++i) direction[i] = degree[grid.moment_degree[i]] * polar[i];
-
-  const bool between = source.fraction > 0.0f && source.fraction < 1.0f;
-  const int level = source.fraction < 1.0f ? source.sublayer : source.sublayer + 1;
-  for (int node = 0; node < grid.sun_nodes; ++node) {
-    if (!scratch.node_use.data()[node].wanted) continue;
-    const V* lower = field.moments(level, node);
-    V* orders = scratch.source_azimuthal_orders.data() + node * grid.azimuthal_orders;
-    for (int m = 0; m < grid.azimuthal_orders; ++m) {
-      V sum{};
-      for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * lower[i];
-      orders[m] = sum;
-    }
-    if (between) {
-      const V* upper = field.moments(level + 1, node);
-      for (int m = 0; m < grid.azimuthal_orders; ++m) {
-        V sum{};
-        for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i)
-          sum += direction[i] * upper[i];
-        orders[m] += (sum - orders[m]) * source.fraction;
-      }
-    }
-    field.horizon.add(diffuse.horizon[at], level, between ? source.fraction : 0.0f, node,
-                      scratch.peak_weight.data()[at], orders);
-  }
-}
-
-/// Adds the diffuse field's light to every pair's radiance. [L3]
-template <class V>
-inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                               const DiffuseRayView& diffuse, const Solution<V>& field,
-                               RayScratch<V>& scratch, V* out) {
-  weigh_sources(grid, optics, diffuse, scratch);
-  const int stride = grid.azimuthal_orders;
-  for (int at = 0; at < diffuse.sources; ++at) {
-    const InterpolationWeights* suns = diffuse.sun_weights[at];
-    const float* azimuth = diffuse.azimuth_factor[at];
-    scratch.node_use.fill({});
-    for (int pair = 0; pair < ray.pairs; ++pair)
-      for (int t = 0; t < 4; ++t) scratch.node_use.data()[suns[pair].first + t].wanted = true;
-    source_azimuthal_orders(grid, diffuse, field, at, scratch);
-    for (int pair = 0; pair < ray.pairs; ++pair, azimuth += diffuse.azimuth_stride) {
-      const V* order = scratch.source_azimuthal_orders.data() + suns[pair].first * stride;
-      V at_node[4] = {};
-      for (int m = 0; m < stride; ++m)
-        for (int t = 0; t < 4; ++t) at_node[t] += order[t * stride + m] * azimuth[m];
-      for (int t = 0; t < 4; ++t) out[pair] += at_node[t] * suns[pair].weight[t];
-    }
-  }
-}
-
-/// Adds the light of the ground at the ray's end. [L4]
-template <class V>
-inline void ground_in_view(const OpticsView& optics, const RayView& ray, const DiffuseRayView& diffuse,
-                           const SlantDepthToSun<V>& slant_depth, const Solution<V>& field, V* out) {
-  V depth{};
-  for (int segment = 0; segment < ray.segments; ++segment)
-    depth += load<V>(optics.layers.extinction_per_km + ray.segment[segment].layer * kLaneCount<V>) *
-             ray.segment[segment].length_km;
-  const V reflected = exp_minus(depth) * load<V>(optics.ground_albedo) * kInversePi;
-  for (int pair = 0; pair < ray.pairs; ++pair) {
-    const InterpolationWeights& suns = diffuse.sun_weights[diffuse.sources - 1][pair];
-    V irradiance{};
-    for (int t = 0; t < 4; ++t) irradiance += field.ground_irradiance.data()[suns.first + t] * suns.weight[t];
-    if (ray.ground_sun_cosine[pair] > 0.0f)
-      irradiance += exp_minus(slant_depth(ray.ground_sun[pair])) * ray.ground_sun_cosine[pair];
-    out[pair] += reflected * irradiance;
-  }
-}
-
-/// Where the diffuse light falls by orders of magnitude from one sun node to the next (deep twilight over a
-/// low top of the atmosphere, when the earth's shadow covers all of the air), cubic interpolation between the
-/// nodes undershoots. Light is never negative: what comes out so is night. [theory.md §5]
-template <class V>
-inline V without_undershoot(V radiance) {
-  return select<V>(radiance < 0.0f, V{}, radiance);
-}
 
 template <class V>
 class SolvedLanes final : public SolvedBlock {
  public:
-  SolvedLanes(const SweepView& grid, const OpticsView& optics, SlantDepthToSun<V>&& slant_depth,
-              DiffuseField<V>& field)
+  template <class Field>
+  SolvedLanes(const SweepView& grid, const OpticsView& optics, SlantDepthToSun<V>&& slant_depth, Field& field)
       : optics_(optics),
         slant_depth_(static_cast<SlantDepthToSun<V>&&>(slant_depth)),
         slant_peak_depth_(grid.slant_depth, optics.peak_per_km),
         solution_{grid, field.take_moments(), field.take_ground_irradiance(),
-                  HorizonDeficit<V>(grid, optics, field.horizon_radiance())} {}
+                  HorizonDeficit<V>(grid, optics, field.horizon_light())} {}
 
   /// Radiance of the ray for every pair: L1 + L3 + L4.
   void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
@@ -267,6 +32,22 @@ class SolvedLanes final : public SolvedBlock {
       store(without_undershoot(out[pair]), radiance + pair * kLaneCount<V>);
   }
 
+  /// The same in parts: the amplitudes of L1 and L5, then L3 + L4.
+  void parts_of_sight(const RayView& ray, const DiffuseRayView& diffuse, float* parts) const override {
+    const SweepView& grid = solution_.grid;
+    RayScratch<V> scratch(grid, ray, diffuse);
+    const std::size_t amplitudes = static_cast<std::size_t>(3 * optics_.scatterers * ray.pairs);
+    LaneArray<V> amplitude(amplitudes);
+    single_scattering_amplitudes(grid, optics_, ray, slant_depth_, slant_peak_depth_, scratch,
+                                 amplitude.data());
+    V* out = scratch.radiance.data();
+    diffuse_scattering(grid, optics_, ray, diffuse, solution_, scratch, out);
+    if (ray.hits_ground) ground_in_view(optics_, ray, diffuse, slant_depth_, solution_, out);
+    for (std::size_t i = 0; i < amplitudes; ++i) store(amplitude.data()[i], parts + i * kLaneCount<V>);
+    for (int pair = 0; pair < ray.pairs; ++pair)
+      store(out[pair], parts + (amplitudes + static_cast<std::size_t>(pair)) * kLaneCount<V>);
+  }
+
  private:
   OpticsView optics_;
   SlantDepthToSun<V> slant_depth_;
@@ -274,14 +55,22 @@ class SolvedLanes final : public SolvedBlock {
   Solution<V> solution_;
 };
 
-template <class V>
-inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
+template <class V, class Sizes>
+inline SolvedBlock* solve_block(const SweepView& grid, const Sizes& sizes, const OpticsView& optics,
                                 const IterationLimits& limits, IterationReport& report) {
   SlantDepthToSun<V> slant_depth(grid.slant_depth, optics.layers.extinction_per_km);
-  DiffuseField<V> field(grid, optics, slant_depth);
+  DiffuseField<V, Sizes> field(grid, sizes, optics, slant_depth);
   report = field.solve(limits);
   if (report.end != IterationReport::kConverged) return nullptr;
   return new SolvedLanes<V>(grid, optics, static_cast<SlantDepthToSun<V>&&>(slant_depth), field);
+}
+
+template <class V>
+inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
+                                const IterationLimits& limits, IterationReport& report) {
+  return with_sizes<V>(
+      grid.polar_nodes, grid.azimuth_nodes, grid.azimuthal_orders, grid.legendre_terms,
+      [&](const auto& sizes) { return solve_block<V>(grid, sizes, optics, limits, report); });
 }
 
 }  // namespace skylut::transfer
