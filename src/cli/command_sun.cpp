@@ -6,6 +6,7 @@
 
 #include "advice.hpp"
 #include "commands.hpp"
+#include "light_kinds.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
@@ -14,6 +15,9 @@
 #include "skylut/export/sun_file.hpp"
 #include "skylut/models/closed_form_sun.hpp"
 #include "skylut/report/sun_report.hpp"
+#include "skylut/sky/limb_darkening.hpp"
+#include "skylut/sky/sun_appearance.hpp"
+#include "skylut/sky/sun_disc.hpp"
 #include "sun_option.hpp"
 
 namespace skylut::cli {
@@ -33,6 +37,8 @@ struct SunOptions {
   SunOption sun;
   bool no_diffuse = false;
   double circumsolar_deg = 0.0;
+  std::optional<double> tilt_deg;
+  std::optional<double> tilt_azimuth_deg;
   Model model;
 };
 
@@ -54,6 +60,9 @@ SkyScene scene_of(const Context& context, SunOptions& options) {
   if (options.model && options.circumsolar_deg > 0.0)
     throw InputError("--circumsolar-deg {}: --model {} has no diffuse light, must not be given with it",
                      options.circumsolar_deg, model_kind().write(options.model));
+  if (options.model && options.tilt_deg)
+    throw InputError("--tilt-deg {}: --model {} has no diffuse light, must not be given with it",
+                     *options.tilt_deg, model_kind().write(options.model));
   SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
@@ -63,37 +72,51 @@ SkyScene scene_of(const Context& context, SunOptions& options) {
   return scene;
 }
 
-void print_facts(const SunIrradiance& sun, const SkyScene& scene) {
+SunIrradianceOptions irradiances(SunOptions& options) {
+  SunIrradianceOptions asked;
+  asked.diffuse = !options.no_diffuse;
+  asked.circumsolar_half_angle_deg = options.circumsolar_deg;
+  if (options.tilt_azimuth_deg && !options.tilt_deg) throw InputError("--tilt-azimuth-deg: needs --tilt-deg");
+  if (options.tilt_deg) {
+    options.tilt_azimuth_deg = options.tilt_azimuth_deg.value_or(TiltedPlane{}.azimuth_deg);  // recorded
+    asked.plane = TiltedPlane{*options.tilt_deg, *options.tilt_azimuth_deg};
+  }
+  return asked;
+}
+
+void print_facts(const SunIrradiance& sun, const SunAppearance& appearance, const SkyScene& scene) {
   fmt::print("sun {:.4f} deg from the zenith, azimuth {:.4f} deg, {:.5f} au away, seen from {} km\n",
              sun.sun.zenith_deg, sun.sun.azimuth_deg, scene.sun_distance_au, scene.altitudes_km[0]);
   fmt::print("{}\n", turbidity_text(scene.turbidities[0], *scene.atmosphere));
   if (!sun.beam_arrives) fmt::print("the ground hides the sun: no direct beam\n");
-  fmt::print("{}", sun_sums_text(sun));
+  fmt::print("{}{}", sun_sums_text(sun), sun_appearance_text(appearance));
 }
 
 void run(SunOptions& options, const OptionSet& given) {
   require_turbidity_with_its_kind(given);
   if (options.out) require_writable("-o", *options.out);
+  const SunIrradianceOptions asked = irradiances(options);
   const Context context = options.scene.context();
   const SkyScene scene = scene_of(context, options);
   advise_on_turbidity(scene.turbidities, *scene.atmosphere);
   advise_on_wavelengths(context, scene.wavelengths);
-  const SunIrradiance sun = options.model
-                                ? simulate_sun_closed_form(context, scene, *options.model)
-                                : simulate_sun(context, scene, {!options.no_diffuse, options.circumsolar_deg},
-                                               options.scene.transfer());
+  const SunIrradiance sun = options.model ? simulate_sun_closed_form(context, scene, *options.model)
+                                          : simulate_sun(context, scene, asked, options.scene.transfer());
+  const SunAppearance appearance = options.model ? sun_appearance(context, sun, scene.sun_distance_au)
+                                                 : sun_appearance(context, sun, SunDisc(context, scene));
   if (!options.out) {
-    print_facts(sun, scene);
+    print_facts(sun, appearance, scene);
     fmt::print("{}", sun_spectrum_text(sun));
     return;
   }
   const bool json = ending_of(*options.out) == ".json";
   Provenance provenance = options.scene.provenance(context, scene, given.command_line("skylut sun"));
   provenance.set_instruction_set(sun.instruction_set);
+  if (!options.model) provenance.add_source(context, LimbDarkening::file(context));
   write_text_atomically(
       *options.out,
-      json ? sun_json(sun, scene, model_kind().write(options.model), provenance) : sun_csv(sun));
-  print_facts(sun, scene);
+      json ? sun_json(sun, appearance, scene, model_kind().write(options.model), provenance) : sun_csv(sun));
+  print_facts(sun, appearance, scene);
   fmt::print("wrote {}\n", options.out->string());
 }
 
@@ -120,6 +143,10 @@ Command sun_command() {
   set.add_flag("--no-diffuse", options->no_diffuse, "only the direct beam, in an instant");
   set.add("--circumsolar-deg", options->circumsolar_deg, number(domain::kCircumsolar_deg),
           "also the diffuse light within this angle of the sun, 0 to 10; 0: not");
+  set.add("--tilt-deg", options->tilt_deg, number(domain::kTilt_deg),
+          "also the irradiance on a plane tilted from the horizontal: 90 is a wall, 180 faces down");
+  set.add("--tilt-azimuth-deg", options->tilt_azimuth_deg, azimuth(),
+          "that the plane faces, clockwise from north; default: 180");
   set.add("--model", options->model, model_kind(),
           "shells (ours), or a closed form for the direct beam alone: iqbal or smarts-like");
   options->scene.add_to(set);

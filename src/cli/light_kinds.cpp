@@ -116,6 +116,14 @@ Kind<UtcTime> day() {
           written_day};
 }
 
+Kind<TimeSteps> time_steps() {
+  return {"START/END/STEP",
+          [](const std::string& text) {
+            return without_prefix(fmt::format("times '{}': ", text), [&] { return parse_time_steps(text); });
+          },
+          format_time_steps};
+}
+
 Kind<std::string> albedo() {
   const auto read = [](const std::string& text) {
     if (text.empty()) throw InputError("must be a number, a name or a file");

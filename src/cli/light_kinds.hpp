@@ -8,6 +8,7 @@
 #include "skylut/core/domain.hpp"
 #include "skylut/core/wavelength_grid.hpp"
 #include "skylut/site/sun.hpp"
+#include "skylut/site/time_steps.hpp"
 
 /// Directions, places, times and wavelengths on the command line.
 namespace skylut::cli {
@@ -28,6 +29,9 @@ Kind<double> longitude();
 /// A moment with its zone; a day.
 Kind<UtcTime> time_of_day();
 Kind<UtcTime> day();
+
+/// Moments at equal distances, START/END/STEP: two moments with their zones and 10min, 1h or PT15M.
+Kind<TimeSteps> time_steps();
 
 /// A number within 0 to 1, or a name or file. Numbers are brought to their fewest digits.
 Kind<std::string> albedo();

@@ -13,6 +13,22 @@ std::string line(const char* what, const std::vector<double>& irradiance, const 
                      illuminance_lux(irradiance, sun.luminous_weight));
 }
 
+std::string plane_text(const SunIrradiance& sun) {
+  if (!sun.plane) return {};
+  return fmt::format("on a plane tilted by {} deg that faces azimuth {} deg\n", sun.plane->tilt_deg,
+                     sun.plane->azimuth_deg) +
+         line("direct", sun.plane_direct, sun) + line("sky", sun.plane_sky, sun) +
+         line("from the ground", sun.plane_ground, sun) + line("all of it", sun.plane_global(), sun);
+}
+
+std::string colour_line(const char* what, const std::optional<LightColour>& light) {
+  if (!light) return {};
+  const std::string temperature =
+      light->temperature ? fmt::format("{:.0f}", light->temperature->temperature_K) : "none";
+  return fmt::format("  {:<22} {:7.4f} {:7.4f} {:>7} {:11.0f} {:9.0f} {:9.0f}\n", what, light->x, light->y,
+                     temperature, light->rgb.r, light->rgb.g, light->rgb.b);
+}
+
 }  // namespace
 
 std::string sun_sums_text(const SunIrradiance& sun) {
@@ -23,7 +39,24 @@ std::string sun_sums_text(const SunIrradiance& sun) {
          line("circumsolar normal", sun.circumsolar_normal, sun) +
          line("diffuse horizontal", sun.diffuse_horizontal, sun) +
          line("global horizontal", sun.global_horizontal(), sun) +
-         line("extraterrestrial", sun.extraterrestrial, sun);
+         line("extraterrestrial", sun.extraterrestrial, sun) + plane_text(sun);
+}
+
+std::string sun_appearance_text(const SunAppearance& appearance) {
+  std::string text = fmt::format("disc {:.4f} deg across", appearance.angular_diameter_deg);
+  if (appearance.visible_part == 0.0)
+    text += ", below the horizon";
+  else if (appearance.visible_part < 1.0)
+    text += fmt::format(", {:.1f} % of it above the horizon", 100.0 * appearance.visible_part);
+  if (appearance.visible_part > 0.0)
+    text += fmt::format(", {:.4g} cd/m2 on average", appearance.mean_luminance_cd_m2);
+  text += "\n";
+  if (!appearance.disc && !appearance.sky) return text;
+  return text +
+         fmt::format("{:<24} {:>7} {:>7} {:>7} {:>11} {:>9} {:>9}   (Rec. 709, linear, lux)\n", "colours",
+                     "x", "y", "CCT/K", "R", "G", "B") +
+         colour_line("sun, normal to it", appearance.disc) +
+         colour_line("sky, on the horizontal", appearance.sky);
 }
 
 std::string sun_spectrum_text(const SunIrradiance& sun) {

@@ -54,9 +54,8 @@ std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
 
   // 2. Radiative transfer, once for everything: sr⁻¹ per unit solar irradiance.
   const ViewSet views(scene.directions, scene.suns);
-  const SkyRequest request{scene.altitudes_km, views.unique_sun_zeniths_deg(), views.unique_views()};
-  const SkyRadiance sky =
-      solve_sky_radiance(context, scene.atmosphere->shells(), bands.columns, request, options);
+  const SkyRadiance sky = solve_sky_radiance(context, scene.atmosphere->shells(), bands.columns,
+                                             views.sights(scene.altitudes_km), options);
 
   // 3. The sun's spectrum makes it radiance, the eye's makes it colour.
   const std::vector<Xyz> weights = ColourMatching::load(context).weights(scene.wavelengths);
@@ -82,8 +81,8 @@ std::vector<SkyMap> simulate_sky(const Context& context, const SkyScene& scene,
         double radiance = 0.0;
         for (std::size_t column = bands.first[band]; column < bands.first[band + 1]; ++column)
           radiance +=
-              bands.weights[column] * static_cast<double>(sky.at(column, observer, views.sun_index(sun),
-                                                                 views.view_index(direction, sun)));
+              bands.weights[column] *
+              static_cast<double>(sky.at(column, observer * views.size() + views.index(direction, sun)));
         map.radiance.push_back(static_cast<float>(irradiance[i] * radiance));
       }
     add_colours(map, weights);

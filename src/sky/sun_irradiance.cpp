@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "band_columns.hpp"
+#include "band_transmittance.hpp"
+#include "horizon.hpp"
+#include "plane_quadrature.hpp"
 #include "sky_quadrature.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/check.hpp"
@@ -20,19 +23,13 @@ void check(const SkyScene& scene, const SunIrradianceOptions& options) {
   require_one_of_each(scene);
   require_within("altitude", scene.altitudes_km[0], domain::kObserver_km);
   require_within("circumsolar half angle", options.circumsolar_half_angle_deg, domain::kCircumsolar_deg);
+  if (options.plane) require_within("tilt of the plane", options.plane->tilt_deg, domain::kTilt_deg);
   const bool sky = options.diffuse || options.circumsolar_half_angle_deg > 0.0;
   const double sun_deg = scene.suns[0].zenith_deg;
   if (sky && !domain::kSunZenith_deg.holds(sun_deg))
     throw InputError("sun zenith angle {} deg: must lie within {} to {} deg with diffuse light", sun_deg,
                      domain::kSunZenith_deg.lowest, domain::kSunZenith_deg.highest);
   require_within("sun zenith angle", sun_deg, domain::kAnyZenith_deg);
-}
-
-double band_transmittance(const ConstituentExtinction& constituent, const std::vector<double>& path_factors) {
-  double sum = 0.0;
-  for (const ExtinctionTerm& term : constituent.terms)
-    sum += term.weight * beam_transmittance(path_factors, term.depth);
-  return sum;
 }
 
 void add_direct_beam(const SkyScene& scene, double aod500, SunIrradiance& result) {
@@ -55,36 +52,64 @@ void add_direct_beam(const SkyScene& scene, double aod500, SunIrradiance& result
   }
 }
 
+void add_beam_on_plane(const SunIrradianceOptions& options, SunIrradiance& result) {
+  result.plane = options.plane;
+  if (!options.plane) return;
+  const double cosine = std::max(0.0, cos_incidence(*options.plane, result.sun));
+  for (const double normal : result.direct_normal) result.plane_direct.push_back(cosine * normal);
+}
+
+// An integral over the sky, and where it goes.
+struct SkyIntegral {
+  SkyQuadrature quadrature;
+  std::vector<double>* total;
+};
+
+std::vector<SkyIntegral> integrals(const SkyScene& scene, const SunIrradianceOptions& options,
+                                   SunIrradiance& result) {
+  const Direction& sun = scene.suns[0];
+  std::vector<SkyIntegral> list;
+  if (options.diffuse) list.push_back({hemisphere_quadrature(sun.zenith_deg), &result.diffuse_horizontal});
+  if (options.circumsolar_half_angle_deg > 0.0)
+    list.push_back({circumsolar_quadrature(sun.zenith_deg, options.circumsolar_half_angle_deg),
+                    &result.circumsolar_normal});
+  if (options.diffuse && options.plane) {
+    const double horizon_deg =
+        horizon_zenith_deg(scene.atmosphere->shells().planet_radius_km, scene.altitudes_km[0]);
+    list.push_back({plane_quadrature(*options.plane, PlanePart::sky, sun, horizon_deg), &result.plane_sky});
+    list.push_back(
+        {plane_quadrature(*options.plane, PlanePart::ground, sun, horizon_deg), &result.plane_ground});
+  }
+  return list;
+}
+
 // Sums of the sky's radiance with the weights of each quadrature.
 void add_sky(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
              const TransferOptions& transfer, SunIrradiance& result) {
-  const double sun_deg = scene.suns[0].zenith_deg;
-  const SkyQuadrature hemisphere = options.diffuse ? hemisphere_quadrature(sun_deg) : SkyQuadrature{};
-  const SkyQuadrature cone = options.circumsolar_half_angle_deg > 0.0
-                                 ? circumsolar_quadrature(sun_deg, options.circumsolar_half_angle_deg)
-                                 : SkyQuadrature{};
-  SkyRequest request{scene.altitudes_km, {sun_deg}, hemisphere.views};
-  request.views.insert(request.views.end(), cone.views.begin(), cone.views.end());
+  const std::vector<SkyIntegral> list = integrals(scene, options, result);
+  SkyRequest request{scene.altitudes_km, {scene.suns[0].zenith_deg}, {}};
+  for (const SkyIntegral& integral : list)
+    request.views.insert(request.views.end(), integral.quadrature.views.begin(),
+                         integral.quadrature.views.end());
 
   const BandColumns bands(scene);
   const SkyRadiance sky =
       solve_sky_radiance(context, scene.atmosphere->shells(), bands.columns, request, transfer);
-
   result.instruction_set = sky.report().kernel;
 
-  const auto integrate = [&](const SkyQuadrature& quadrature, std::size_t first, std::vector<double>& total) {
-    if (quadrature.views.empty()) return;
-    total.assign(scene.wavelengths.size(), 0.0);
+  std::size_t first = 0;
+  for (const SkyIntegral& integral : list) {
+    const std::vector<double>& weight = integral.quadrature.weight;
+    integral.total->assign(scene.wavelengths.size(), 0.0);
     for (std::size_t i = 0; i < scene.wavelengths.size(); ++i)
       for (std::size_t column = bands.first[i]; column < bands.first[i + 1]; ++column) {
         double sum = 0.0;
-        for (std::size_t view = 0; view < quadrature.views.size(); ++view)
-          sum += quadrature.weight[view] * static_cast<double>(sky.at(column, 0, 0, first + view));
-        total[i] += result.extraterrestrial[i] * bands.weights[column] * sum;
+        for (std::size_t view = 0; view < weight.size(); ++view)
+          sum += weight[view] * static_cast<double>(sky.at(column, 0, 0, first + view));
+        (*integral.total)[i] += result.extraterrestrial[i] * bands.weights[column] * sum;
       }
-  };
-  integrate(hemisphere, 0, result.diffuse_horizontal);
-  integrate(cone, hemisphere.views.size(), result.circumsolar_normal);
+    first += weight.size();
+  }
 }
 
 }  // namespace
@@ -102,6 +127,12 @@ std::vector<double> SunIrradiance::global_horizontal() const {
   return global;
 }
 
+std::vector<double> SunIrradiance::plane_global() const {
+  std::vector<double> global = plane_sky;
+  for (std::size_t i = 0; i < global.size(); ++i) global[i] += plane_direct[i] + plane_ground[i];
+  return global;
+}
+
 SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
                            const TransferOptions& transfer) {
   check(scene, options);
@@ -112,6 +143,7 @@ SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const 
   result.luminous_weight = luminous_weights(context, scene.wavelengths);
   result.extraterrestrial = extraterrestrial_irradiance(context, scene);
   add_direct_beam(scene, aod500, result);
+  add_beam_on_plane(options, result);
   if (options.diffuse || options.circumsolar_half_angle_deg > 0.0)
     add_sky(context, scene, options, transfer, result);
   return result;

@@ -8,17 +8,6 @@ namespace {
 
 bool is_vertical(double zenith_deg) { return zenith_deg == 0.0 || zenith_deg == 180.0; }
 
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-template <class T>
-std::size_t index_of(const std::vector<T>& sorted, const T& value) {
-  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
-}
-
 }  // namespace
 
 RelativeView relative_view(const Direction& view, const Direction& sun) {
@@ -27,17 +16,22 @@ RelativeView relative_view(const Direction& view, const Direction& sun) {
 }
 
 ViewSet::ViewSet(std::span<const Direction> views, std::span<const Direction> suns) : views_(views.size()) {
-  for (const Direction& sun : suns) {
-    unique_sun_zeniths_deg_.push_back(sun.zenith_deg);
-    for (const Direction& view : views) unique_views_.push_back(relative_view(view, sun));
-  }
-  sort_unique(unique_sun_zeniths_deg_);
-  sort_unique(unique_views_);
-  for (const Direction& sun : suns) {
-    sun_index_.push_back(index_of(unique_sun_zeniths_deg_, sun.zenith_deg));
-    for (const Direction& view : views)
-      view_index_.push_back(index_of(unique_views_, relative_view(view, sun)));
-  }
+  std::vector<Pair> all;
+  for (const Direction& sun : suns)
+    for (const Direction& view : views) all.push_back({sun.zenith_deg, relative_view(view, sun)});
+  pairs_ = all;
+  std::sort(pairs_.begin(), pairs_.end());
+  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  for (const Pair& pair : all)
+    index_.push_back(
+        static_cast<std::size_t>(std::lower_bound(pairs_.begin(), pairs_.end(), pair) - pairs_.begin()));
+}
+
+std::vector<Sight> ViewSet::sights(std::span<const double> altitudes_km) const {
+  std::vector<Sight> all;
+  for (const double altitude_km : altitudes_km)
+    for (const Pair& pair : pairs_) all.push_back({altitude_km, pair.sun_zenith_deg, pair.view});
+  return all;
 }
 
 }  // namespace skylut

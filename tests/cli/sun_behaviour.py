@@ -49,6 +49,41 @@ class Sun(unittest.TestCase):
                                    0.5 * row["direct_normal_w_m2_nm"] + row["diffuse_horizontal_w_m2_nm"], places=12)
             self.assertGreater(row["circumsolar_normal_w_m2_nm"], 0)
 
+    def test_what_the_light_looks_like(self):
+        screen = self.work.succeed("sun", "-o", "sun.json", "--sun-zenith-deg", "60", "--quality", "draft",
+                                   "--wavelengths-nm", "380:780:20")
+        self.assertRegex(screen, r"disc 0\.5331 deg across, 1\.[0-9]+e\+09 cd/m2 on average")
+        self.assertRegex(screen, r"sun, normal to it +0\.3[0-9]+ +0\.3[0-9]+ +[45][0-9]{3} ")
+        self.assertRegex(screen, r"sky, on the horizontal +0\.2[0-9]+ +0\.2[0-9]+ ")
+        document = json.loads(self.work.path("sun.json").read_text(encoding="utf-8"))
+        disc, sky = document["disc"], document["sky"]
+        self.assertAlmostEqual(disc["illuminance_lux"] / document["sums"]["direct_normal"]["lux"], 1, places=3)
+        self.assertAlmostEqual(sky["illuminance_lux"] / document["sums"]["diffuse_horizontal"]["lux"], 1, places=9)
+        self.assertAlmostEqual(disc["mean_luminance_cd_m2"] * 6.79997e-5 / disc["illuminance_lux"], 1, places=5)
+        self.assertEqual(disc["visible_part"], 1)
+        self.assertTrue(4500 < disc["cct_k"] < 5500, disc)
+        red, green, blue = sky["linear_rec709_lux"]
+        self.assertLess(red, blue)
+        self.assertAlmostEqual((0.2126 * red + 0.7152 * green + 0.0722 * blue) / sky["illuminance_lux"], 1, places=3)
+
+    def test_the_disc_sets(self):
+        self.assertIn("50.0 % of it above the horizon", self.sun("--sun-zenith-deg", "90", "--no-diffuse"))
+        self.assertIn("deg across, below the horizon", self.sun("--sun-zenith-deg", "91", "--no-diffuse"))
+        # A closed form knows the beam alone: all of the disc, or none.
+        self.assertRegex(self.sun("--sun-zenith-deg", "60", "--model", "iqbal"), r"disc .*cd/m2 on average")
+
+    def test_light_on_a_plane(self):
+        screen = self.sun("-o", "wall.json", "--sun-zenith-deg", "60", "--tilt-deg", "90", "--tilt-azimuth-deg", "200")
+        self.assertIn("on a plane tilted by 90 deg that faces azimuth 200 deg", screen)
+        sums = json.loads(self.work.path("wall.json").read_text(encoding="utf-8"))["sums"]
+        cosine = math.sin(math.radians(60)) * math.cos(math.radians(20))
+        self.assertAlmostEqual(sums["plane_direct"]["lux"] / sums["direct_normal"]["lux"], cosine, places=9)
+        self.assertAlmostEqual(sums["plane_ground"]["lux"] / sums["global_horizontal"]["lux"], 0.1, delta=0.001)
+        self.assertAlmostEqual(sums["plane_global"]["lux"], sum(sums[part]["lux"] for part in
+                                                                ("plane_direct", "plane_sky", "plane_ground")), places=6)
+        command = json.loads(self.work.path("wall.json").read_text(encoding="utf-8"))["command"]
+        self.assertIn("--tilt-deg 90 --tilt-azimuth-deg 200", command)
+
     def test_its_command_makes_the_file_again(self):
         self.sun("-o", "first.json", "--sun-zenith-deg", "75", "--altitude-km", "2", "--albedo", "snow",
                  "--solar", "kurucz1992", "--date", "2024-01-03", "--ozone-du", "250")

@@ -20,6 +20,10 @@ skylut_refuses(sun_model_set 2 "--sun-zenith-deg 91: .*closed forms end at the h
   --model iqbal)
 skylut_refuses(sun_model_circumsolar 2 "--circumsolar-deg 3.*must not be given" sun --sun-zenith-deg 45 --model iqbal
   --circumsolar-deg 3)
+skylut_refuses(sun_tilt_181 2 "--tilt-deg '181'.*0 to 180" sun --sun-zenith-deg 45 --tilt-deg 181)
+skylut_refuses(sun_tilt_azimuth_alone 2 "--tilt-azimuth-deg: needs --tilt-deg" sun --sun-zenith-deg 45 --tilt-azimuth-deg 90)
+skylut_refuses(sun_model_tilt 2 "--tilt-deg 30: --model iqbal has no diffuse light, must not be given" sun --sun-zenith-deg 45
+  --model iqbal --tilt-deg 30)
 
 skylut_refuses(solar_unknown 2 "solar spectrum 'sun'.*astm-g173, gueymard2003, kurucz1992" map -o sky.csv
   --sun-zenith-deg 45 --solar sun)

@@ -25,6 +25,7 @@ class CsvTable {
   std::size_t rows() const { return rows_.size(); }
   const std::vector<std::string>& columns() const { return columns_; }
 
+  const std::string& text(std::size_t row, std::size_t column) const { return rows_[row].fields[column]; }
   /// @throws InputError  "file:line: column 'Y': 'abc': must be a finite number"
   double number(std::size_t row, std::size_t column) const;
 

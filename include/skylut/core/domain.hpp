@@ -40,10 +40,13 @@ inline constexpr Range kGroundHeight_m{-500.0, 9000.0, "m"};  ///< of the ground
 /// Radiances at 1000 km are within 0.4 % of Monte Carlo (sun at 60°, 9 directions from the zenith to 89.9°);
 /// at 100 km they were +0.3 to +1.6 % off.
 inline constexpr Range kPlanetRadius_km{1000.0, 1e9, "km"};
-inline constexpr Range kLevel_km{0.0, 1e4, "km"};           ///< of a layer, above the ground
-inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};  ///< half angle of the cone around the sun
-inline constexpr Range kThreads{0.0, 1024.0, ""};           ///< 0: one per core
+inline constexpr Range kLevel_km{0.0, 1e4, "km"};            ///< of a layer, above the ground
+inline constexpr Range kCircumsolar_deg{0.0, 10.0, "deg"};   ///< half angle of the cone around the sun
+inline constexpr Range kTilt_deg{0.0, 180.0, "deg"};         ///< of a plane from the horizontal
+inline constexpr Range kDiscSpacing_deg{0.002, 1.0, "deg"};  ///< of the points that stand for the solar disc
+inline constexpr Range kThreads{0.0, 1024.0, ""};            ///< 0: one per core
 inline constexpr Range kPictureHeight_pixels{2.0, 8192.0, ""};
+inline constexpr std::size_t kMostFrames = 100'000;         ///< of a series of suns
 inline constexpr Range kPhotons{1.0, 1e12, ""};             ///< of the Monte Carlo solver, per direction
 inline constexpr Range kSeed{0.0, 9007199254740992.0, ""};  ///< whole numbers that a double holds: to 2^53
 inline constexpr Range kScatteringOrders{0.0, 1e5, ""};     ///< 0: all

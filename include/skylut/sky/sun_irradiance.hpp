@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,20 @@ namespace skylut {
 
 struct Context;
 
+/// A plane that faces any way.
+struct TiltedPlane {
+  double tilt_deg = 0.0;       ///< from the horizontal, [0, 180]: 0 faces up, 90 is a wall, 180 faces down
+  double azimuth_deg = 180.0;  ///< that it faces, clockwise from north
+
+  bool operator==(const TiltedPlane&) const = default;
+};
+
 /// What is asked beside the direct beam.
 struct SunIrradianceOptions {
   bool diffuse = true;  ///< also the diffuse irradiance: needs the sun within 96° of the zenith
   double circumsolar_half_angle_deg =
       0.0;  ///< also the diffuse light within this angle of the sun, [0, 10]; 0: not
+  std::optional<TiltedPlane> plane = std::nullopt;  ///< also the irradiance on it
 };
 
 /// Transmittance of one constituent along the sun's beam.
@@ -32,6 +42,10 @@ struct SunIrradiance {
   std::vector<double> direct_normal;       ///< normal to the beam, without scattered light
   std::vector<double> diffuse_horizontal;  ///< from above on a horizontal plane, without the beam
   std::vector<double> circumsolar_normal;  ///< diffuse light around the sun, normal to the beam
+  std::optional<TiltedPlane> plane;        ///< that the next three fall on
+  std::vector<double> plane_direct;        ///< of the beam
+  std::vector<double> plane_sky;           ///< diffuse, from above the horizontal
+  std::vector<double> plane_ground;        ///< diffuse, from below: the ground, and the air before it
   std::vector<ConstituentTransmittance> transmittance;
   /// Lux per W m⁻² nm⁻¹, K_m V(λ) step: illuminance = Σ weight irradiance.
   std::vector<double> luminous_weight;
@@ -39,6 +53,8 @@ struct SunIrradiance {
 
   /// Direct and diffuse light on a horizontal plane; empty without diffuse light.
   std::vector<double> global_horizontal() const;
+  /// All the light on the plane; empty without a plane or diffuse light.
+  std::vector<double> plane_global() const;
 };
 
 /// Irradiance of the sun and the sky at one observer. The direct beam crosses the spherical layers on a

@@ -6,6 +6,7 @@
 
 #include "skylut/core/check.hpp"
 #include "skylut/core/directions.hpp"
+#include "skylut/transfer/sky_radiance.hpp"
 
 namespace skylut {
 
@@ -13,31 +14,33 @@ namespace skylut {
 /// mirror image). Where azimuth has no meaning (view or sun at the zenith or nadir) it is 0.
 RelativeView relative_view(const Direction& view, const Direction& sun);
 
-/// The different things that the transfer must compute so that every view is known under every sun:
-/// mirror-symmetric views and suns are computed once and so have identical values.
+/// The different things that the transfer must compute so that every view is known under every sun, and no
+/// view under another sun: mirror-symmetric views and suns are computed once and so have identical values.
 class ViewSet {
  public:
   ViewSet(std::span<const Direction> views, std::span<const Direction> suns);
 
-  const std::vector<RelativeView>& unique_views() const { return unique_views_; }
-  const std::vector<double>& unique_sun_zeniths_deg() const { return unique_sun_zeniths_deg_; }
+  /// Different pairs of sun and view as seen from its azimuth.
+  std::size_t size() const { return pairs_.size(); }
 
-  /// Index into unique_views() of one view under one sun.
-  std::size_t view_index(std::size_t view, std::size_t sun) const {
+  /// Index of one view under one sun among the pairs.
+  std::size_t index(std::size_t view, std::size_t sun) const {
     SKYLUT_CHECK_LT(view, views_);
-    SKYLUT_CHECK_LT(sun, sun_index_.size());
-    return view_index_[sun * views_ + view];
+    return index_[sun * views_ + view];
   }
 
-  /// Index into unique_sun_zeniths_deg() of one sun.
-  std::size_t sun_index(std::size_t sun) const { return sun_index_[sun]; }
+  /// All pairs, seen from every altitude: [altitude][pair].
+  std::vector<Sight> sights(std::span<const double> altitudes_km) const;
 
  private:
+  struct Pair {
+    double sun_zenith_deg;
+    RelativeView view;
+    auto operator<=>(const Pair&) const = default;
+  };
   std::size_t views_;
-  std::vector<RelativeView> unique_views_;
-  std::vector<double> unique_sun_zeniths_deg_;
-  std::vector<std::size_t> view_index_;
-  std::vector<std::size_t> sun_index_;
+  std::vector<Pair> pairs_;  // ascending
+  std::vector<std::size_t> index_;
 };
 
 }  // namespace skylut

@@ -24,6 +24,9 @@ struct DiscretisationOptions {
   /// Sun nodes: 0 are the 33 chosen ones; 1, 2, 4 put one at every half, quarter, eighth of a degree around
   /// the terminator; up to 4.
   int sun_node_density;
+  /// A sun's field is interpolated among the nodes around it instead of all: at most 0.1 % for a fraction of
+  /// the time.
+  bool sun_bands;
   /// Thin layers are taken together in the sweep.
   bool merge_layers;
   /// Longest step of a line of sight, [0.1, 100].
@@ -37,7 +40,8 @@ struct DiscretisationOptions {
 DiscretisationOptions discretisation_of(Quality quality);
 
 /// Changes one number of a quality by its name in the command line: "optical-step", "truncated-peak",
-/// "narrow-peak-degrees", "polar-per-degree", "polar-nodes", "sun-nodes", "merge-layers" (0 or 1),
+/// "narrow-peak-degrees", "polar-per-degree", "polar-nodes", "sun-nodes", "sun-bands" and
+/// "merge-layers" (0 or 1),
 /// "ray-step-km", "sunbeam-step-km", "tolerance".
 /// @throws InputError  for an unknown name (listing the known ones) or a value out of range
 void set_discretisation(DiscretisationOptions& options, std::string_view name, double value);

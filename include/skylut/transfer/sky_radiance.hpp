@@ -13,12 +13,21 @@ namespace skylut {
 
 struct Context;
 
-/// Where the sky is looked at, under which suns, and in which directions. Every observer sees every
-/// sun in every view.
+/// One thing to see: where from, under which sun, in which direction.
+struct Sight {
+  double observer_altitude_km = 0.0;  ///< above the ground, in [0, top level]
+  double sun_zenith_deg = 0.0;        ///< at the observer's vertical, in [0, 96]
+  RelativeView view;                  ///< direction the observer LOOKS
+};
+
+/// Many sights by their product: every observer sees every sun in every view.
 struct SkyRequest {
-  std::vector<double> observer_altitudes_km;  ///< above the ground, in [0, top level]
-  std::vector<double> sun_zeniths_deg;        ///< at the observer's vertical, in [0, 96]
-  std::vector<RelativeView> views;            ///< directions the observer LOOKS
+  std::vector<double> observer_altitudes_km;
+  std::vector<double> sun_zeniths_deg;
+  std::vector<RelativeView> views;
+
+  /// The views vary fastest, the observers slowest.
+  std::vector<Sight> sights() const;
 };
 
 struct TransferOptions {
@@ -39,26 +48,30 @@ struct TransferReport {
 };
 
 /// Diffuse radiance (the direct sun is not in it) per unit solar irradiance on a plane normal to the
-/// beam at the top of the atmosphere, sr⁻¹, for every column, observer, sun and view; >= 0.
+/// beam at the top of the atmosphere, sr⁻¹, for every column and sight; >= 0.
 class SkyRadiance {
  public:
-  SkyRadiance(std::size_t columns, std::size_t observers, std::size_t suns, std::size_t views)
-      : observers_(observers), suns_(suns), views_(views), value_(columns * observers * suns * views) {}
+  SkyRadiance(std::size_t columns, std::size_t sights) : sights_(sights), value_(columns * sights) {}
 
-  float& at(std::size_t column, std::size_t observer, std::size_t sun, std::size_t view) {
-    return value_[((column * observers_ + observer) * suns_ + sun) * views_ + view];
-  }
+  float& at(std::size_t column, std::size_t sight) { return value_[column * sights_ + sight]; }
+  float at(std::size_t column, std::size_t sight) const { return value_[column * sights_ + sight]; }
+
+  /// Of a SkyRequest.
   float at(std::size_t column, std::size_t observer, std::size_t sun, std::size_t view) const {
-    return value_[((column * observers_ + observer) * suns_ + sun) * views_ + view];
+    return at(column, (observer * suns_ + sun) * views_ + view);
+  }
+  void set_shape(std::size_t suns, std::size_t views) {
+    suns_ = suns;
+    views_ = views;
   }
 
   TransferReport& report() { return report_; }
   const TransferReport& report() const { return report_; }
 
  private:
-  std::size_t observers_;
-  std::size_t suns_;
-  std::size_t views_;
+  std::size_t sights_;
+  std::size_t suns_ = 0;
+  std::size_t views_ = 0;
   std::vector<float> value_;
   TransferReport report_;
 };
@@ -66,9 +79,9 @@ class SkyRadiance {
 /// Radiance of the sky by successive orders of scattering in spherical shells: all orders, Lambertian
 /// ground, planet shadow. [theory.md §4]
 ///
-/// A column's result does not depend on the other columns, nor on which observers, suns and views are
-/// asked for beside its own, nor on the number of threads: always the same bytes. Between kernels it agrees
-/// to rounding (1e-6); the same kernel gives the same bytes on every x86-64 machine.
+/// A column's result does not depend on the other columns, nor on which sights are asked for beside its own,
+/// nor on the number of threads: always the same bytes. Between kernels it agrees to rounding (1e-6); the
+/// same kernel gives the same bytes on every x86-64 machine.
 ///
 /// Accuracy in haze and clear air at the default quality: 0.7 % [docs/validation.md]; thick layers
 /// (optical depth of 10 and more) are several per cent off at draft [theory.md §5].
@@ -80,6 +93,11 @@ class SkyRadiance {
 ///                     cannot hold or that would take hours for one block of columns (see transfer_cost.hpp)
 /// @throws WorkError   when the orders of scattering do not converge, or memory runs out all the same
 /// @throws Cancelled   when the context asks to stop
+SkyRadiance solve_sky_radiance(const Context& context, const Shells& shells,
+                               std::span<const OpticalColumn> columns, std::span<const Sight> sights,
+                               const TransferOptions& options);
+
+/// The same for all sights of a request.
 SkyRadiance solve_sky_radiance(const Context& context, const Shells& shells,
                                std::span<const OpticalColumn> columns, const SkyRequest& request,
                                const TransferOptions& options);

@@ -13,6 +13,7 @@ struct TransferCost {
   double geometry_bytes = 0.0;       ///< shared by the columns of one discretisation, all of them
   double largest_field_bytes = 0.0;  ///< diffuse field of one block, while it is solved
   double fields_bytes = 0.0;         ///< of all blocks that are held or worked on at a time
+  double all_fields_bytes = 0.0;     ///< of all blocks under all suns together
   double rays_bytes = 0.0;           ///< lines of sight worked on at a time
   double results_bytes = 0.0;        ///< the radiances
   double largest_block_cpu_s = 0.0;
@@ -23,7 +24,7 @@ struct TransferCost {
 
 /// @throws InputError  for values out of range, as solve_sky_radiance does; not for too much work
 TransferCost estimate_cost(const Context& context, const Shells& shells,
-                           std::span<const OpticalColumn> columns, const SkyRequest& request,
+                           std::span<const OpticalColumn> columns, std::span<const Sight> sights,
                            const TransferOptions& options);
 
 /// Memory of this machine, or what its control group leaves to this process, bytes.

@@ -86,15 +86,20 @@ inline void apply_fixed_matrix(const float* panels, const V* in, std::ptrdiff_t 
   }
 }
 
-/// The matrix of an azimuthal order m: from legendre_terms - m degrees to the polar nodes.
+/// The matrix of an azimuthal order m: from legendre_terms - m degrees to the first `count` polar nodes, or
+/// more.
 template <class V, class Sizes, class Order>
-inline void polar_of_degrees(const Sizes& sizes, Order m, const float* panels, const V* degree, V* polar,
-                             std::ptrdiff_t stride) {
-  if constexpr (Sizes::kFixed)
-    apply_fixed_matrix<V, Sizes::polar_nodes, Sizes::legendre_terms - Order::value>(panels, degree, 1, polar,
-                                                                                    stride);
-  else
-    apply_matrix(panels, sizes.polar_nodes, sizes.legendre_terms - m, degree, 1, polar, stride);
+inline void polar_of_degrees(const Sizes& sizes, Order m, int count, const float* panels, const V* degree,
+                             V* polar, std::ptrdiff_t stride) {
+  if constexpr (Sizes::kFixed) {
+    constexpr int kDegrees = Sizes::legendre_terms - Order::value;
+    if (count <= kPanel)
+      apply_fixed_matrix<V, kPanel, kDegrees>(panels, degree, 1, polar, stride);
+    else
+      apply_fixed_matrix<V, Sizes::polar_nodes, kDegrees>(panels, degree, 1, polar, stride);
+  } else {
+    apply_matrix(panels, count, sizes.legendre_terms - m, degree, 1, polar, stride);
+  }
 }
 
 /// And from the polar nodes to the degrees.

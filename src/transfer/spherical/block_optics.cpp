@@ -118,4 +118,24 @@ void BlockOptics::peak_values(double cos_scattering_angle, float* value) const {
     }
 }
 
+void BlockOptics::part_factors(int lane, double cos_scattering_angle, std::span<double> factor) const {
+  const auto own = static_cast<std::size_t>(lane);
+  const std::size_t count = (factor.size() - 1) / 3;
+  std::fill(factor.begin(), factor.end(), 0.0);
+  factor.back() = 1.0;
+  std::size_t terms = 1;
+  for (const ForwardPeakCorrection& spread : spread_[own]) terms = std::max(terms, spread.terms());
+  const double weight = aureole_weight(cos_scattering_angle);
+  std::vector<double> legendre;
+  if (weight > 0.0 && terms > 1)
+    legendre = normalised_legendre(0, static_cast<int>(terms) - 1, cos_scattering_angle);
+  for (std::size_t s = 0; s < spread_[own].size(); ++s) {
+    factor[s] = column[own]->scatterers[s].phase->value(cos_scattering_angle);
+    if (legendre.empty()) continue;
+    const ForwardPeakCorrection::Coefficients spread = spread_[own][s].at(legendre);
+    factor[count + s] = -weight * spread.first;
+    factor[2 * count + s] = weight * spread.second;
+  }
+}
+
 }  // namespace skylut::transfer

@@ -53,6 +53,9 @@ struct BlockOptics {
   void phase_values(double cos_scattering_angle, float* value) const;
   /// What spreads their peaks: [first, second][scatterer][lane].
   void peak_values(double cos_scattering_angle, float* value) const;
+  /// What the parts of a lane's radiance are multiplied by: P of each scatterer, -Q1 of each, Q2 of each, 1.
+  /// @param factor  for as many scatterers as there is room, at least the lane's own; those left over get 0
+  void part_factors(int lane, double cos_scattering_angle, std::span<double> factor) const;
 
  private:
   std::vector<std::vector<ForwardPeakCorrection>> spread_;  // [lane][the lane's own scatterers]

@@ -1,11 +1,12 @@
 #include "common_grid.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace skylut::transfer {
 
-// Dense at the terminator, where it changes by
-// orders of magnitude, and beyond the largest sun by what a horizontal ray can cover (√(2·100/6371) = 10°).
+// Dense at the terminator, where the field changes by orders of magnitude, and beyond the largest sun by what
+// a horizontal ray can cover (√(2·100/6371) = 10°).
 std::vector<double> sun_nodes(int density) {
   if (density == 0)
     return {0,  10,   20, 30,   40, 50,   58, 65, 70, 74,    77,   80,    82, 84, 85.5, 87, 88,
@@ -27,13 +28,17 @@ std::vector<double> sun_nodes(int density) {
   return nodes;
 }
 
-CommonGrid::CommonGrid(const Shells& shells_, const DiscretisationOptions& discretisation_)
+CommonGrid::CommonGrid(const Shells& shells_, const DiscretisationOptions& discretisation_,
+                       std::vector<double> sun_nodes)
     : discretisation(discretisation_),
       shells(shells_),
       layers(shells.levels_km, shells.planet_radius_km),
       merge(shells, !discretisation.merge_layers),
       slant_depth(layers),
-      sun_nodes_deg(sun_nodes(discretisation.sun_node_density)),
+      sun_nodes_deg(std::move(sun_nodes)),
       sun_interpolation(sun_nodes_deg) {}
+
+CommonGrid::CommonGrid(const Shells& shells_, const DiscretisationOptions& discretisation_)
+    : CommonGrid(shells_, discretisation_, sun_nodes(discretisation_.sun_node_density)) {}
 
 }  // namespace skylut::transfer

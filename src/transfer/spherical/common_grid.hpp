@@ -11,11 +11,17 @@
 
 namespace skylut::transfer {
 
-/// Local solar zenith angles, in degrees, that carry the diffuse field; density as in DiscretisationOptions.
+/// Local solar zenith angles, in degrees, that carry the diffuse field of all suns; density as in
+/// DiscretisationOptions.
 std::vector<double> sun_nodes(int density);
 
-/// What all columns of a request share: the layers, and the suns among which the field is interpolated.
+/// What all columns share under a band of suns: the layers, and the suns among which the field is
+/// interpolated.
 struct CommonGrid {
+  /// @param sun_nodes_deg  local solar zenith angles that carry the diffuse field, at least four
+  CommonGrid(const Shells& shells, const DiscretisationOptions& discretisation,
+             std::vector<double> sun_nodes_deg);
+  /// The same with the nodes of all suns.
   CommonGrid(const Shells& shells, const DiscretisationOptions& discretisation);
   CommonGrid(const CommonGrid&) = delete;
   CommonGrid& operator=(const CommonGrid&) = delete;

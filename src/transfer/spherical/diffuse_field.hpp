@@ -200,8 +200,8 @@ void DiffuseField<V, Sizes>::source(Hemisphere hemisphere, int sublayer, int lev
   V* by_order = by_azimuthal_order_.data();
   sizes_.for_orders([&](auto order) {
     const int m = value_of<V>(order);
-    polar_of_degrees(sizes_, order, grid_.polar_synthesis[hemisphere][m], scaled + grid_.moment_offset[m],
-                     by_order + m, azimuthal_orders);
+    polar_of_degrees(sizes_, order, polar_count, grid_.polar_synthesis[hemisphere][m],
+                     scaled + grid_.moment_offset[m], by_order + m, azimuthal_orders);
   });
   for (int j = 0; j < polar_count; ++j)
     azimuths_of_orders(grid_, sizes_, by_order + j * azimuthal_orders, to + j * sizes_.azimuth_nodes);

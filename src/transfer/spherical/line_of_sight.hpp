@@ -76,9 +76,8 @@ struct RayScratch {
 /// @param visit  (lit part, layer, mean attenuation, depth of the forward peak on the whole way: a function)
 template <class V, class Visit>
 inline void along_lit_parts(const OpticsView& optics, const RayView& ray,
-                            const SlantDepthToSun<V>& slant_depth,
-                            const SlantDepthToSun<V>& slant_peak_depth, RayScratch<V>& scratch,
-                            const Visit& visit) {
+                            const SlantDepthToSun<V>& slant_depth, const SlantDepthToSun<V>& slant_peak_depth,
+                            RayScratch<V>& scratch, const Visit& visit) {
   V* const far_depth = scratch.far_depth.data();
   V depth{};
   V peak_depth{};
@@ -132,21 +131,21 @@ inline void single_scattering(const SweepView& grid, const OpticsView& optics, c
                               const float* phases, const float* peaks, const SlantDepthToSun<V>& slant_depth,
                               const SlantDepthToSun<V>& slant_peak_depth, RayScratch<V>& scratch, V* out) {
   const std::ptrdiff_t stride = grid.slant_depth.layers * kLaneCount<V>;
-  along_lit_parts(
-      optics, ray, slant_depth, slant_peak_depth, scratch,
-      [&](const LitPart& lit, int layer, V attenuation, const auto& peak_on_the_way) {
-        const float* scattering_per_km = optics.scattering_per_km + layer * kLaneCount<V>;
-        const float* phase = phases + lit.pair * optics.scatterers * kLaneCount<V>;
-        V scattering{};
-        for (int s = 0; s < optics.scatterers; ++s)
-          scattering += load<V>(scattering_per_km + s * stride) * load<V>(phase + s * kLaneCount<V>);
-        if (ray.aureole[lit.pair] >= 0)
-          scattering += spread_scattering(
-              scattering_per_km, stride,
-              peaks + ray.aureole[lit.pair] * 2 * optics.scatterers * kLaneCount<V>, optics.scatterers,
-              peak_on_the_way());
-        out[lit.pair] += scattering * attenuation * (lit.length_km * kInverseFourPi);
-      });
+  along_lit_parts(optics, ray, slant_depth, slant_peak_depth, scratch,
+                  [&](const LitPart& lit, int layer, V attenuation, const auto& peak_on_the_way) {
+                    const float* scattering_per_km = optics.scattering_per_km + layer * kLaneCount<V>;
+                    const float* phase = phases + lit.pair * optics.scatterers * kLaneCount<V>;
+                    V scattering{};
+                    for (int s = 0; s < optics.scatterers; ++s)
+                      scattering +=
+                          load<V>(scattering_per_km + s * stride) * load<V>(phase + s * kLaneCount<V>);
+                    if (ray.aureole[lit.pair] >= 0)
+                      scattering += spread_scattering(
+                          scattering_per_km, stride,
+                          peaks + ray.aureole[lit.pair] * 2 * optics.scatterers * kLaneCount<V>,
+                          optics.scatterers, peak_on_the_way());
+                    out[lit.pair] += scattering * attenuation * (lit.length_km * kInverseFourPi);
+                  });
 }
 
 /// The same without the phase functions, scatterer by scatterer: the amplitudes that P_i(Θ) and the forward

@@ -2,29 +2,35 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace skylut::transfer {
 
-std::vector<SunAzimuth> LineOfSight::pairs(const SkyRequest& request) const {
-  std::vector<SunAzimuth> pairs;
-  for (const double sun : request.sun_zeniths_deg)
-    for (const std::size_t view : views) pairs.push_back({sun, request.views[view].relative_azimuth_deg});
-  return pairs;
-}
-
-std::vector<LineOfSight> lines_of_sight(const SkyRequest& request) {
-  std::vector<std::size_t> order(request.views.size());
+std::vector<std::vector<LineOfSight>> lines_of_sight(std::span<const SunBand> bands,
+                                                     std::span<const Sight> sights) {
+  struct Key {
+    std::size_t band;
+    double observer_km;
+    double view_zenith_deg;
+    auto operator<=>(const Key&) const = default;
+  };
+  std::vector<Key> key;
+  for (const Sight& sight : sights)
+    key.push_back({band_of(bands, sight.sun_zenith_deg), sight.observer_altitude_km, sight.view.zenith_deg});
+  std::vector<std::size_t> order(sights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return request.views[a] < request.views[b]; });
-  std::vector<LineOfSight> rays;
-  for (std::size_t observer = 0; observer < request.observer_altitudes_km.size(); ++observer)
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const double zenith = request.views[order[i]].zenith_deg;
-      if (i == 0 || zenith != request.views[order[i - 1]].zenith_deg) rays.push_back({observer, zenith, {}});
-      rays.back().views.push_back(order[i]);
-    }
-  return rays;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
+
+  std::vector<std::vector<LineOfSight>> lines(bands.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Sight& sight = sights[order[i]];
+    std::vector<LineOfSight>& own = lines[key[order[i]].band];
+    if (i == 0 || key[order[i]] != key[order[i - 1]])
+      own.push_back({sight.observer_altitude_km, sight.view.zenith_deg, {}, {}});
+    own.back().pairs.push_back({sight.sun_zenith_deg, sight.view.relative_azimuth_deg});
+    own.back().sights.push_back(order[i]);
+  }
+  return lines;
 }
 
 }  // namespace skylut::transfer

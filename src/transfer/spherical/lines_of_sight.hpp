@@ -1,22 +1,25 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "ray_geometry.hpp"
+#include "local_sun.hpp"
 #include "skylut/transfer/sky_radiance.hpp"
+#include "sun_bands.hpp"
 
 namespace skylut::transfer {
 
-/// A line of sight wanted by a request: all views that share observer and zenith angle share its path.
+/// All sights that share observer, zenith angle of view and band of suns share a path, and are solved
+/// together.
 struct LineOfSight {
-  std::size_t observer;
-  double view_zenith_deg;
-  std::vector<std::size_t> views;  ///< indices into the request
-
-  /// Suns and azimuths under which it is wanted: [sun][view].
-  std::vector<SunAzimuth> pairs(const SkyRequest& request) const;
+  double observer_km = 0.0;
+  double view_zenith_deg = 0.0;
+  std::vector<SunAzimuth> pairs;    ///< suns and azimuths under which it is wanted
+  std::vector<std::size_t> sights;  ///< [pair]: index into the request
 };
 
-std::vector<LineOfSight> lines_of_sight(const SkyRequest& request);
+/// The lines of sight of every band.
+std::vector<std::vector<LineOfSight>> lines_of_sight(std::span<const SunBand> bands,
+                                                     std::span<const Sight> sights);
 
 }  // namespace skylut::transfer

@@ -7,14 +7,6 @@
 
 namespace skylut::transfer {
 
-namespace {
-
-/// The aureole, in which the spread of forward peaks is felt: 20° around the sun, fading out from 15°.
-constexpr double kAureoleCosine = 0.9396926;
-constexpr double kFadeCosine = 0.9659258;
-
-}  // namespace
-
 RayGeometry::RayGeometry(const CommonGrid& common, double observer_km, double view_zenith_deg,
                          std::span<const SunAzimuth> pairs) {
   const RayTrace trace(common.layers, common.discretisation.ray_step_km, observer_km,
@@ -37,7 +29,7 @@ RayGeometry::RayGeometry(const CommonGrid& common, double observer_km, double vi
     ray.append_parts(trace.points, common.discretisation.sunbeam_step_km,
                      static_cast<int>(cos_scattering_.size()), lit, lit_end_);
     cos_scattering_.push_back(ray.cos_scattering());
-    aureole_.push_back(ray.cos_scattering() > kAureoleCosine ? aureoles++ : -1);
+    aureole_.push_back(aureole_weight(ray.cos_scattering()) > 0.0 ? aureoles++ : -1);
     const double cosine = hits_ground_ ? ray.cos_sun(end.distance_km, 0.0) : -1.0;
     ground_sun_cosine_.push_back(static_cast<float>(cosine));
     ground_sun_.push_back(common.slant_depth.weights_towards(0.0, cosine));
@@ -64,10 +56,8 @@ std::vector<float> RayGeometry::peaks(const BlockOptics& optics) const {
     if (aureole_[pair] < 0) continue;
     peak.resize(peak.size() + stride);
     optics.peak_values(cos_scattering_[pair], peak.data() + peak.size() - stride);
-    // Faded out, so that no edge shows where the correction ends.
-    const double inside = (cos_scattering_[pair] - kAureoleCosine) / (kFadeCosine - kAureoleCosine);
-    if (inside < 1.0)
-      for (std::size_t i = peak.size() - stride; i < peak.size(); ++i) peak[i] *= static_cast<float>(inside);
+    if (const double weight = aureole_weight(cos_scattering_[pair]); weight < 1.0)
+      for (std::size_t i = peak.size() - stride; i < peak.size(); ++i) peak[i] *= static_cast<float>(weight);
   }
   return peak;
 }

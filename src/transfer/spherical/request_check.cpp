@@ -58,25 +58,27 @@ void check_shells(const Shells& shells) {
   require_within("planet_radius_km", shells.planet_radius_km, domain::kPlanetRadius_km);
 }
 
-void check_request(const Shells& shells, std::span<const OpticalColumn> columns, const SkyRequest& request,
-                   const TransferOptions& options) {
+void check_sight(const Sight& sight, double top_km) {
+  if (const double altitude = sight.observer_altitude_km; !(altitude >= 0.0 && altitude <= top_km))
+    throw InputError("observer altitude {} km: must lie within the layers, 0-{} km", altitude, top_km);
+  require_within("sun zenith", sight.sun_zenith_deg, domain::kSunZenith_deg);
+  const RelativeView& view = sight.view;
+  if (!(view.zenith_deg >= 0.0 && view.zenith_deg <= 180.0 && view.relative_azimuth_deg >= 0.0 &&
+        view.relative_azimuth_deg <= 180.0))
+    throw InputError("view zenith {} deg, relative azimuth {} deg: must lie within 0-180", view.zenith_deg,
+                     view.relative_azimuth_deg);
+}
+
+void check_request(const Shells& shells, std::span<const OpticalColumn> columns,
+                   std::span<const Sight> sights, const TransferOptions& options) {
   check_shells(shells);
   for (const OpticalColumn& column : columns) check_column(column, shells.levels_km.size() - 1);
-  for (const double altitude : request.observer_altitudes_km)
-    if (!(altitude >= 0.0 && altitude <= shells.levels_km.back()))
-      throw InputError("observer altitude {} km: must lie within the layers, 0-{} km", altitude,
-                       shells.levels_km.back());
-  for (const double sun : request.sun_zeniths_deg) require_within("sun zenith", sun, domain::kSunZenith_deg);
   check_discretisation(options.discretisation);
   if (options.scattering_orders < 0)
     throw InputError("orders {}: must be >= 0 (0: all)", options.scattering_orders);
   if (!(options.most_memory_bytes >= 0.0))
     throw InputError("memory limit {} bytes: must be >= 0 (0: by the machine)", options.most_memory_bytes);
-  for (const RelativeView& view : request.views)
-    if (!(view.zenith_deg >= 0.0 && view.zenith_deg <= 180.0 && view.relative_azimuth_deg >= 0.0 &&
-          view.relative_azimuth_deg <= 180.0))
-      throw InputError("view zenith {} deg, relative azimuth {} deg: must lie within 0-180", view.zenith_deg,
-                       view.relative_azimuth_deg);
+  for (const Sight& sight : sights) check_sight(sight, shells.levels_km.back());
 }
 
 }  // namespace skylut::transfer

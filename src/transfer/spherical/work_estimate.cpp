@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <thread>
 
 #include "common_grid.hpp"
+#include "kernel_choice.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut::transfer {
@@ -40,11 +43,11 @@ struct Sizes {
   double directions() const { return polar * azimuths; }
 };
 
-Sizes sizes_of(const Work& work, const DiscretisationKey& key) {
+Sizes sizes_of(const Work& work, const SunBand& band, const DiscretisationKey& key) {
   const AngularResolution& angles = key.angles;
   Sizes sizes{};
   sizes.sublayers = std::accumulate(key.sublayers.begin(), key.sublayers.end(), 0.0) + 10.0;
-  sizes.sun_nodes = count_of(sun_nodes(work.options.discretisation.sun_node_density));
+  sizes.sun_nodes = count_of(band.nodes_deg);
   sizes.polar = angles.polar_nodes;
   sizes.azimuths = angles.azimuth_nodes;
   sizes.legendre_terms = angles.max_l + 1;
@@ -129,10 +132,10 @@ double ray_bytes(const Work& work, const std::vector<LineOfSight>& lines, const 
       (std::min(top_km, 16.0) + 16.0 * std::log(std::max(1.0, top_km / 16.0))) / options.sunbeam_step_km;
   double most = 0.0;
   for (const LineOfSight& line : lines) {
-    const double observer_km = work.request.observer_altitudes_km[line.observer];
-    const double points = 2.0 * (count_of(work.shells.levels_km) + sizes.sublayers) +
-                          length_km(work.shells, observer_km, line.view_zenith_deg) / options.ray_step_km;
-    const double pairs = count_of(work.request.sun_zeniths_deg) * count_of(line.views);
+    const double points =
+        2.0 * (count_of(work.shells.levels_km) + sizes.sublayers) +
+        length_km(work.shells, line.observer_km, line.view_zenith_deg) / options.ray_step_km;
+    const double pairs = count_of(line.pairs);
     const double per_pair = points * (sizeof(InterpolationWeights) + sizes.azimuthal_orders * sizeof(float)) +
                             (points + grazing_parts) * (sizeof(LitPart) + sizeof(SlantDepthWeights)) +
                             8.0 * lanes_bytes(work.kernel);
@@ -169,44 +172,69 @@ double what_fits(double x, double share) {
 
 }  // namespace
 
+Work::Work(const Context& context, const Shells& shells_, std::span<const OpticalColumn> columns_,
+           std::span<const Sight> sights_, const TransferOptions& options_)
+    : shells(shells_),
+      merge(shells, !options_.discretisation.merge_layers),
+      columns(columns_),
+      sights(sights_.size()),
+      options(options_),
+      kernel(kernel_for(context.simd)),
+      threads(context.threads > 0 ? context.threads
+                                  : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+      bands(sun_bands(options.discretisation)) {}
+
 TransferCost estimate(const Work& work, const std::vector<ColumnGroup>& groups,
-                      const std::vector<LineOfSight>& lines) {
+                      const std::vector<std::vector<LineOfSight>>& lines) {
   TransferCost cost;
   const double layers = count_of(work.shells.levels_km) - 1.0;
-  cost.geometry_bytes = SlantDepthGrid::points(layers) * layers * sizeof(float);
-  cost.results_bytes = count_of(work.columns) * count_of(work.request.observer_altitudes_km) *
-                       count_of(work.request.sun_zeniths_deg) * count_of(work.request.views) * sizeof(float);
-  double kept = 0.0;
+  const double depths_bytes = SlantDepthGrid::points(layers) * layers * sizeof(float);
+  cost.results_bytes = count_of(work.columns) * static_cast<double>(work.sights) * sizeof(float);
   double largest_kept = 0.0;
   double largest_scratch = 0.0;
   double largest_ray = 0.0;
-  for (const ColumnGroup& group : groups) {
-    const Sizes sizes = sizes_of(work, group.key);
-    const auto lanes = static_cast<std::size_t>(work.kernel.lanes);
-    const std::size_t blocks = (group.columns.size() + lanes - 1) / lanes;
-    double depth = 0.0;
-    for (const std::size_t column : group.columns)
-      depth = std::max(depth, scattering_depth(work.columns[column]));
-    const double cpu_s = block_cpu_s(work, sizes, depth);
-    cost.blocks += blocks;
-    cost.most_sublayers = std::max(cost.most_sublayers, sizes.sublayers);
-    cost.geometry_bytes += stencil_bytes(work, sizes);
-    cost.largest_block_cpu_s = std::max(cost.largest_block_cpu_s, cpu_s);
-    // A line of sight costs about as much as one level of the field under five sun nodes for each point.
-    cost.cpu_s += static_cast<double>(blocks) *
-                  (cpu_s + count_of(lines) * (sizes.sublayers + layers) *
-                               (10.0 * sizes.moments + 30.0 * count_of(work.request.sun_zeniths_deg)) *
-                               kMultiplication_s);
-    kept += static_cast<double>(blocks) * kept_bytes(work, sizes);
-    largest_kept = std::max(largest_kept, kept_bytes(work, sizes));
-    largest_scratch = std::max(largest_scratch, scratch_bytes(work, sizes));
-    largest_ray = std::max(largest_ray, ray_bytes(work, lines, sizes));
+  for (std::size_t band = 0; band < work.bands.size(); ++band) {
+    if (lines[band].empty()) continue;
+    double geometry = depths_bytes;
+    double kept = 0.0;
+    std::size_t band_blocks = 0;
+    for (const ColumnGroup& group : groups) {
+      const Sizes sizes = sizes_of(work, work.bands[band], group.key);
+      const auto lanes = static_cast<std::size_t>(work.kernel.lanes);
+      const std::size_t blocks = (group.columns.size() + lanes - 1) / lanes;
+      double depth = 0.0;
+      for (const std::size_t column : group.columns)
+        depth = std::max(depth, scattering_depth(work.columns[column]));
+      const double cpu_s = block_cpu_s(work, sizes, depth);
+      band_blocks += blocks;
+      cost.most_sublayers = std::max(cost.most_sublayers, sizes.sublayers);
+      geometry += stencil_bytes(work, sizes);
+      cost.largest_block_cpu_s = std::max(cost.largest_block_cpu_s, cpu_s);
+      // A line of sight costs about as much as one level of the field under five sun nodes for each point,
+      // and little more for every pair of sun and azimuth.
+      double pairs = 0.0;
+      for (const LineOfSight& line : lines[band]) pairs += count_of(line.pairs);
+      cost.cpu_s +=
+          static_cast<double>(blocks) *
+          (cpu_s + (sizes.sublayers + layers) *
+                       (10.0 * sizes.moments * count_of(lines[band]) + 30.0 * pairs) * kMultiplication_s);
+      kept += static_cast<double>(blocks) * kept_bytes(work, sizes);
+      largest_kept = std::max(largest_kept, kept_bytes(work, sizes));
+      largest_scratch = std::max(largest_scratch, scratch_bytes(work, sizes));
+      largest_ray = std::max(largest_ray, ray_bytes(work, lines[band], sizes));
+    }
+    cost.blocks += band_blocks;
+    // One band after the other.
+    cost.geometry_bytes = std::max(cost.geometry_bytes, geometry);
+    cost.largest_field_bytes = largest_kept + largest_scratch;
+    const double at_a_time =
+        std::min(kept, static_cast<double>(kKeptFields_bytes) + largest_kept) +
+        std::min(static_cast<double>(work.threads), static_cast<double>(band_blocks)) * largest_scratch;
+    cost.fields_bytes = std::max(cost.fields_bytes, at_a_time);
+    cost.all_fields_bytes += kept;
+    cost.rays_bytes = std::max(
+        cost.rays_bytes, std::min(static_cast<double>(work.threads), count_of(lines[band])) * largest_ray);
   }
-  const double threads = work.threads;
-  cost.largest_field_bytes = largest_kept + largest_scratch;
-  cost.fields_bytes = std::min(kept, static_cast<double>(kKeptFields_bytes) + largest_kept) +
-                      std::min(threads, static_cast<double>(cost.blocks)) * largest_scratch;
-  cost.rays_bytes = std::min(threads, count_of(lines)) * largest_ray;
   return cost;
 }
 
@@ -228,13 +256,13 @@ void refuse_too_much(const Work& work, const TransferCost& cost) {
           "of about {} would fit, or a coarser quality",
           depth, work.shells.levels_km.size(), cost.most_sublayers, amount(need), there, fits);
     }
-    const double pairs = count_of(work.request.sun_zeniths_deg) * count_of(work.request.views);
     const double share = (memory - sublayers) / (cost.rays_bytes + cost.results_bytes);
     throw InputError(
-        "{} columns under {} suns in {} views from {} altitudes need about {} of memory, {}; about {} of the "
-        "{} pairs of sun and view would fit at a time",
-        work.columns.size(), work.request.sun_zeniths_deg.size(), work.request.views.size(),
-        work.request.observer_altitudes_km.size(), amount(need), there, what_fits(pairs, share), pairs);
+        "{} columns in {} lines of sight need about {} of memory, {}; about {} of the lines of sight would "
+        "fit "
+        "at a time",
+        work.columns.size(), work.sights, amount(need), there,
+        what_fits(static_cast<double>(work.sights), share));
   }
   if (cost.largest_block_cpu_s > kMostBlock_cpu_s)
     throw InputError(

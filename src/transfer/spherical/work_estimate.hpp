@@ -6,6 +6,11 @@
 #include "kernel_problem.hpp"
 #include "lines_of_sight.hpp"
 #include "skylut/transfer/transfer_cost.hpp"
+#include "sun_bands.hpp"
+
+namespace skylut {
+struct Context;
+}
 
 namespace skylut::transfer {
 
@@ -14,17 +19,22 @@ inline constexpr std::size_t kKeptFields_bytes = std::size_t{256} << 20;
 
 /// Everything that the amount of work follows from.
 struct Work {
+  Work(const Context& context, const Shells& shells, std::span<const OpticalColumn> columns,
+       std::span<const Sight> sights, const TransferOptions& options);
+
   const Shells& shells;
-  const LayerMerge& merge;
+  LayerMerge merge;
   std::span<const OpticalColumn> columns;
-  const SkyRequest& request;
+  std::size_t sights;
   const TransferOptions& options;
   const Kernel& kernel;
   int threads;
+  std::vector<SunBand> bands;  ///< all that there are
 };
 
+/// @param lines  of every band
 TransferCost estimate(const Work& work, const std::vector<ColumnGroup>& groups,
-                      const std::vector<LineOfSight>& lines);
+                      const std::vector<std::vector<LineOfSight>>& lines);
 
 /// Refuses what the machine cannot hold, and what would take more than half an hour for one block.
 /// @throws InputError  what needs how much, what there is, and what would fit

@@ -59,6 +59,15 @@ TEST(Time, IsWrittenInUtc) {
   EXPECT_NE(refusal(day(), "2024-02-30"), "read");
 }
 
+TEST(TimeSteps, AreWrittenInUtc) {
+  EXPECT_EQ(again(time_steps(), "2024-06-21T06:00+02:00/2024-06-21T20:00Z/PT15M"),
+            "2024-06-21T04:00:00Z/2024-06-21T20:00:00Z/15min");
+  EXPECT_EQ(refusal(time_steps(), "2024-06-21T06:00Z"),
+            "must be START/END/STEP, for example 2024-06-21T04:00Z/2024-06-21T20:00Z/10min");
+  EXPECT_EQ(refusal(time_steps(), "2024-06-21T06:00Z/2024-06-20T06:00Z/1h"),
+            "end 2024-06-20T06:00:00Z lies before start 2024-06-21T06:00:00Z: must not");
+}
+
 TEST(Albedo, IsANumberOrAName) {
   EXPECT_EQ(again(albedo(), "+0.20"), "0.2");
   EXPECT_EQ(again(albedo(), "grass"), "grass");

@@ -19,13 +19,25 @@ TEST(ViewSet, MirrorImagesAreComputedOnce) {
   const std::vector<Direction> suns{{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}};
   const std::vector<Direction> views = directions_utm271();
   const ViewSet set(views, suns);
-  EXPECT_EQ(set.unique_sun_zeniths_deg(), (std::vector<double>{0.0, 45.0, 90.0}));
-  EXPECT_EQ(set.unique_views().size(), 1u + 9u * 15u + 9u);
-  for (std::size_t sun = 0; sun < suns.size(); ++sun) {
-    EXPECT_EQ(set.unique_sun_zeniths_deg()[set.sun_index(sun)], suns[sun].zenith_deg);
+  EXPECT_EQ(set.size(), 10u + 2u * (1u + 9u * 15u));
+  const std::vector<Sight> sights = set.sights(std::vector{0.0, 12.0});
+  ASSERT_EQ(sights.size(), 2 * set.size());
+  for (std::size_t sun = 0; sun < suns.size(); ++sun)
     for (std::size_t view = 0; view < views.size(); ++view)
-      EXPECT_EQ(set.unique_views()[set.view_index(view, sun)], relative_view(views[view], suns[sun]));
-  }
+      for (const std::size_t altitude : {0u, 1u}) {
+        const Sight& sight = sights[altitude * set.size() + set.index(view, sun)];
+        EXPECT_EQ(sight.observer_altitude_km, 12.0 * static_cast<double>(altitude));
+        EXPECT_EQ(sight.sun_zenith_deg, suns[sun].zenith_deg);
+        EXPECT_EQ(sight.view, relative_view(views[view], suns[sun]));
+      }
+}
+
+// Suns of different zenith angle and azimuth do not ask for each other's views: the number grows with the
+// suns, not with their square.
+TEST(ViewSet, ViewsAreSeenUnderTheirOwnSun) {
+  const std::vector<Direction> views = directions_utm271();
+  const std::vector<Direction> suns{{30.0, 11.0}, {50.0, 47.0}, {70.0, 93.0}};
+  EXPECT_LE(ViewSet(views, suns).size(), 3 * views.size());
 }
 
 }  // namespace

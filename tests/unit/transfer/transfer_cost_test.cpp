@@ -51,7 +51,7 @@ OpticalColumn cloud(double depth) {
 const Shells kOneLayer{{0.0, 10.0}, 6371.0};
 
 TransferCost cost_of(const OpticalColumn& column, const TransferOptions& options = {}) {
-  return estimate_cost(test::context, kOneLayer, std::span(&column, 1), kRequest, options);
+  return estimate_cost(test::context, kOneLayer, std::span(&column, 1), kRequest.sights(), options);
 }
 
 /// The refusal's text, which must be one line; "" if it is solved.
@@ -112,7 +112,7 @@ TEST(TransferCost, NamesTheNumberOfResultsThatFit) {
   options.most_memory_bytes = 300e6;
   const OpticalColumn column = cloud(0.1);
   expect_says(refusal(kOneLayer, std::span(&column, 1), request, options),
-              {"1 columns under 1 suns in 1000000 views", "300 MB may be used", "would fit"});
+              {"1 columns in 1000000 lines of sight", "300 MB may be used", "would fit"});
 }
 
 // Many levels need no limit of their own: their tables are part of the estimate.
@@ -149,11 +149,11 @@ TEST(TransferCost, MemoryIsWhatIsTaken) {
     options.discretisation = discretisation_of(Quality::draft);
     const OpticalColumn column = cloud(depth);
     const double need =
-        estimate_cost(test::on_threads(1), kOneLayer, std::span(&column, 1), kRequest, options)
+        estimate_cost(test::on_threads(1), kOneLayer, std::span(&column, 1), kRequest.sights(), options)
             .memory_bytes();
     const long before = live_bytes;
     most_live_bytes = before;
-    solve_sky_radiance(test::on_threads(1), kOneLayer, std::span(&column, 1), kRequest, options);
+    solve_sky_radiance(test::on_threads(1), kOneLayer, std::span(&column, 1), kRequest.sights(), options);
     const auto taken = static_cast<double>(most_live_bytes - before);
     RecordProperty("estimated_over_taken", std::to_string(need / taken));
     EXPECT_LT(taken, need) << depth;

@@ -1,0 +1,256 @@
+#include "skylut/sky/continuous_sky.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "horizon.hpp"
+#include "sky_patch.hpp"
+#include "skylut/core/check.hpp"
+#include "skylut/core/constants.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/domain.hpp"
+#include "skylut/core/errors.hpp"
+#include "skylut/core/parallel.hpp"
+
+namespace skylut {
+
+namespace {
+
+constexpr int kPoints = 6;
+constexpr int kAzimuths = 9;
+constexpr int kMostAzimuths = 65;
+
+/// What a patch is compared in: lines of sight at three zenith angles and three azimuths each. The first two
+/// lie between the patch's points, at its azimuths, the third at a point, between the azimuths.
+struct Comparison {
+  double zenith_deg;
+  std::vector<double> azimuths_deg;
+  std::vector<float> exact;  // [azimuth][wavelength]
+};
+
+/// A patch while it is built.
+struct Draft {
+  SkyPatch patch;
+  int refinements = 0;
+  std::vector<Comparison> comparisons;
+  double zenith_error = 0.0;
+  double azimuth_error = 0.0;
+
+  double error() const { return std::max(zenith_error, azimuth_error); }
+};
+
+double between(const SkyPatch& patch, int point) {
+  return patch.panel().zenith_deg(0.5 * (patch.point(point) + patch.point(point + 1)));
+}
+
+std::vector<Comparison> comparisons_of(const SkyPatch& patch) {
+  if (patch.points() < kPoints) return {};
+  const std::vector<double>& own = patch.azimuths_deg();
+  const std::vector<double> at_nodes{own.front(), own[own.size() / 2], own.back()};
+  std::vector<Comparison> all{{between(patch, 0), at_nodes, {}}, {between(patch, 2), at_nodes, {}}};
+  if (own.size() > 1) {
+    const double half = 0.5 * own[1];
+    all.push_back({patch.point_zenith_deg(2), {half, 90.0 - half, 180.0 - half}, {}});
+  }
+  return all;
+}
+
+double relative_error(std::span<const float> found, std::span<const float> exact) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    if (exact[i] > 0.0f)
+      largest =
+          std::max(largest, std::abs(static_cast<double>(found[i]) / static_cast<double>(exact[i]) - 1.0));
+  return largest;
+}
+
+PatchDirection patch_direction(double zenith_deg, double relative_azimuth_deg, double sun_zenith_deg) {
+  const double zenith = zenith_deg * kRadiansPerDegree;
+  const double sun = sun_zenith_deg * kRadiansPerDegree;
+  const double cos_azimuth = std::cos(relative_azimuth_deg * kRadiansPerDegree);
+  return {cos_azimuth, std::cos(zenith) * std::cos(sun) + std::sin(zenith) * std::sin(sun) * cos_azimuth};
+}
+
+/// Builds the patches of one sky, in rounds: whatever is not yet within the tolerance goes into the next.
+class PatchBuilder {
+ public:
+  PatchBuilder(const Context& context, const SolvedSky& sky, double observer_km, double sun_zenith_deg,
+               const ContinuousSkyOptions& options)
+      : context_(context),
+        sky_(sky),
+        observer_km_(observer_km),
+        sun_deg_(sun_zenith_deg),
+        options_(options) {}
+
+  std::vector<SkyPatch> build(double& error) {
+    std::vector<Draft> open;
+    for (const ZenithPanel& panel :
+         zenith_panels(sky_.shells().levels_km, observer_km_, sky_.shells().planet_radius_km))
+      open.push_back(draft(panel));
+    std::vector<SkyPatch> done;
+    while (!open.empty()) {
+      compute(open);
+      std::vector<Draft> next;
+      for (Draft& draft : open) {
+        compare(draft);
+        if (draft.error() > options_.tolerance && draft.refinements < options_.most_refinements) {
+          refine(draft, next);
+          continue;
+        }
+        error = std::max(error, draft.error());
+        draft.patch.set_colours(sky_);
+        done.push_back(std::move(draft.patch));
+      }
+      open = std::move(next);
+    }
+    std::sort(done.begin(), done.end(), [](const SkyPatch& a, const SkyPatch& b) {
+      return a.panel().lowest_zenith_deg() < b.panel().lowest_zenith_deg();
+    });
+    return done;
+  }
+
+ private:
+  /// Where the sun stands overhead nothing depends on azimuth, nor does the ground under one's feet.
+  Draft draft(const ZenithPanel& panel) const {
+    const bool ground = observer_km_ == 0.0 && panel.kind() == ZenithPanel::Kind::ground;
+    const bool overhead = sun_deg_ < 1e-9;
+    return {SkyPatch(panel, ground ? 2 : kPoints, ground || overhead ? 1 : kAzimuths), 0, {}, 0.0, 0.0};
+  }
+
+  /// All lines of sight of all drafts, in parallel.
+  void compute(std::vector<Draft>& drafts) const {
+    struct Task {
+      Draft* draft;
+      int line;  // points, then comparisons
+    };
+    std::vector<Task> tasks;
+    for (Draft& draft : drafts) {
+      draft.patch.reserve(sky_);
+      draft.comparisons = comparisons_of(draft.patch);
+      const int lines = draft.patch.points() + static_cast<int>(draft.comparisons.size());
+      for (int line = 0; line < lines; ++line) tasks.push_back({&draft, line});
+    }
+    parallel_for(tasks.size(), context_.threads, [&](std::size_t index) {
+      if (context_.cancel.stop_requested()) throw Cancelled();
+      const auto& [draft, line] = tasks[index];
+      if (line < draft->patch.points()) {
+        draft->patch.set_point(sky_, observer_km_, sun_deg_, line);
+        return;
+      }
+      Comparison& with = draft->comparisons[static_cast<std::size_t>(line - draft->patch.points())];
+      with.exact.resize(with.azimuths_deg.size() * sky_.wavelengths().size());
+      sky_.radiance({observer_km_, with.zenith_deg, sun_deg_, with.azimuths_deg}, with.exact);
+    });
+  }
+
+  void compare(Draft& draft) const {
+    const std::size_t width = sky_.wavelengths().size();
+    std::vector<float> row(draft.patch.row_size());
+    std::vector<float> scratch;
+    std::vector<float> found(width);
+    for (std::size_t i = 0; i < draft.comparisons.size(); ++i) {
+      const Comparison& with = draft.comparisons[i];
+      draft.patch.row(with.zenith_deg, row);
+      double& error = i < 2 ? draft.zenith_error : draft.azimuth_error;
+      for (std::size_t k = 0; k < with.azimuths_deg.size(); ++k) {
+        SkyPatch::radiance(sky_, row, patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_),
+                           scratch, found);
+        error = std::max(error, relative_error(found, std::span(with.exact).subspan(k * width, width)));
+      }
+    }
+  }
+
+  void refine(const Draft& draft, std::vector<Draft>& next) const {
+    const int azimuths = draft.patch.azimuths();
+    const bool around = draft.azimuth_error > options_.tolerance && azimuths < kMostAzimuths;
+    const int finer = around ? 2 * azimuths - 1 : azimuths;
+    if (draft.zenith_error > options_.tolerance || !around) {
+      for (const ZenithPanel& half : draft.patch.panel().halves())
+        next.push_back({SkyPatch(half, kPoints, finer), draft.refinements + 1, {}, 0.0, 0.0});
+    } else {
+      next.push_back({SkyPatch(draft.patch.panel(), kPoints, finer), draft.refinements + 1, {}, 0.0, 0.0});
+    }
+  }
+
+  const Context& context_;
+  const SolvedSky& sky_;
+  double observer_km_;
+  double sun_deg_;
+  const ContinuousSkyOptions& options_;
+};
+
+}  // namespace
+
+ContinuousSky::ContinuousSky(const Context& context, std::shared_ptr<const SolvedSky> solved,
+                             double altitude_km, const Direction& sun, double sun_distance_au,
+                             const ContinuousSkyOptions& options)
+    : solved_(std::move(solved)),
+      sun_(sun),
+      horizon_zenith_deg_(skylut::horizon_zenith_deg(solved_->shells().planet_radius_km, altitude_km)),
+      scale_(1.0 / (sun_distance_au * sun_distance_au)) {
+  require_within("altitude", altitude_km, domain::kObserver_km);
+  require_within("sun zenith angle", sun.zenith_deg, domain::kSunZenith_deg);
+  if (!(sun_distance_au > 0.0)) throw InputError("sun's distance {} au: must be > 0", sun_distance_au);
+  if (!(options.tolerance >= 1e-5 && options.tolerance <= 0.1))
+    throw InputError("sky tolerance {}: must lie within 1e-5 to 0.1", options.tolerance);
+  patches_ = PatchBuilder(context, *solved_, altitude_km, sun.zenith_deg, options).build(error_);
+}
+
+ContinuousSky::~ContinuousSky() = default;
+
+std::size_t ContinuousSky::patch_of(double zenith_deg) const {
+  const auto found = std::lower_bound(
+      patches_.begin(), patches_.end(), zenith_deg,
+      [](const SkyPatch& patch, double angle) { return patch.panel().highest_zenith_deg() < angle; });
+  return std::min(static_cast<std::size_t>(found - patches_.begin()), patches_.size() - 1);
+}
+
+std::size_t ContinuousSky::nodes() const {
+  std::size_t sum = 0;
+  for (const SkyPatch& patch : patches_) sum += static_cast<std::size_t>(patch.points() * patch.azimuths());
+  return sum;
+}
+
+void ContinuousSky::radiance(std::span<const Direction> directions, std::span<float> radiance) const {
+  const std::size_t width = wavelengths().size();
+  SKYLUT_CHECK_EQ(radiance.size(), directions.size() * width);
+  std::vector<float> row;
+  std::vector<float> scratch;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Direction& direction = directions[i];
+    if (i == 0 || direction.zenith_deg != directions[i - 1].zenith_deg) {
+      const SkyPatch& patch = patches_[patch_of(direction.zenith_deg)];
+      row.resize(patch.row_size());
+      patch.row(direction.zenith_deg, row);
+    }
+    const std::span<float> to = radiance.subspan(i * width, width);
+    SkyPatch::radiance(
+        *solved_, row,
+        patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, sun_.zenith_deg),
+        scratch, to);
+    if (scale_ != 1.0)
+      for (float& value : to) value *= static_cast<float>(scale_);
+  }
+}
+
+void ContinuousSky::colour(std::span<const Direction> directions, std::span<Xyz> colour) const {
+  SKYLUT_CHECK_EQ(colour.size(), directions.size());
+  std::vector<float> row;
+  std::vector<float> scratch;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Direction& direction = directions[i];
+    if (i == 0 || direction.zenith_deg != directions[i - 1].zenith_deg) {
+      const SkyPatch& patch = patches_[patch_of(direction.zenith_deg)];
+      row.resize(patch.colour_row_size());
+      patch.colour_row(direction.zenith_deg, row);
+    }
+    const Xyz found = SkyPatch::colour(
+        *solved_, row,
+        patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, sun_.zenith_deg),
+        scratch);
+    colour[i] = {scale_ * found.X, scale_ * found.Y, scale_ * found.Z};
+  }
+}
+
+}  // namespace skylut

@@ -1,0 +1,75 @@
+#include "skylut/sky/solved_sky.hpp"
+
+#include "band_columns.hpp"
+#include "scattering_factors.hpp"
+#include "skylut/colour/cie1931.hpp"
+#include "skylut/core/check.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/errors.hpp"
+#include "skylut/sky/sky_scene.hpp"
+
+namespace skylut {
+
+SolvedSky::SolvedSky(const Context& context, const SkyScene& scene, const TransferOptions& options)
+    : wavelengths_(scene.wavelengths),
+      colour_weights_(ColourMatching::load(context).weights(scene.wavelengths)) {
+  if (scene.turbidities.size() != 1 || scene.suns.empty())
+    throw InputError("solved sky of {} turbidities and {} suns: needs one turbidity and at least one sun",
+                     scene.turbidities.size(), scene.suns.size());
+  BandColumns bands(scene);
+  const std::vector<double> irradiance = extraterrestrial_irradiance(context, scene);
+  first_column_ = bands.first;
+  for (std::size_t i = 0; i < wavelengths_.size(); ++i)
+    for (std::size_t column = bands.first[i]; column < bands.first[i + 1]; ++column)
+      column_weight_.push_back(static_cast<float>(irradiance[i] * bands.weights[column]));
+  std::vector<double> suns_deg;
+  for (const Direction& sun : scene.suns) suns_deg.push_back(sun.zenith_deg);
+  columns_ = std::make_unique<SolvedColumns>(context, scene.atmosphere->shells(), std::move(bands.columns),
+                                             suns_deg, options);
+  factors_ = std::make_unique<const ScatteringFactors>(*columns_,
+                                                       std::span(first_column_).first(wavelengths_.size()));
+}
+
+SolvedSky::~SolvedSky() = default;
+SolvedSky::SolvedSky(SolvedSky&&) noexcept = default;
+SolvedSky& SolvedSky::operator=(SolvedSky&&) noexcept = default;
+
+std::size_t SolvedSky::parts() const { return factors_->parts().size(); }
+
+void SolvedSky::radiance(const SightLine& line, std::span<float> radiance) const {
+  const std::size_t azimuths = line.relative_azimuth_deg.size();
+  const std::size_t width = wavelengths_.size();
+  SKYLUT_CHECK_EQ(radiance.size(), azimuths * width);
+  std::vector<float> columns(columns_->columns() * azimuths);
+  columns_->radiance(line, columns);
+  for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth)
+    for (std::size_t i = 0; i < width; ++i) {
+      double sum = 0.0;
+      for (std::size_t column = first_column_[i]; column < first_column_[i + 1]; ++column)
+        sum += static_cast<double>(column_weight_[column]) *
+               static_cast<double>(columns[column * azimuths + azimuth]);
+      radiance[azimuth * width + i] = static_cast<float>(sum);
+    }
+}
+
+void SolvedSky::radiance_parts(const SightLine& line, std::span<float> parts) const {
+  const std::size_t azimuths = line.relative_azimuth_deg.size();
+  const std::size_t width = wavelengths_.size();
+  const std::size_t columns = columns_->columns();
+  SKYLUT_CHECK_EQ(parts.size(), this->parts() * azimuths * width);
+  std::vector<float> of_columns(columns_->parts() * azimuths * columns);
+  columns_->radiance_parts(line, of_columns);
+  float* out = parts.data();
+  for (const std::size_t part : factors_->parts())
+    for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) {
+      const float* from = of_columns.data() + (part * azimuths + azimuth) * columns;
+      for (std::size_t i = 0; i < width; ++i) {
+        float sum = 0.0f;
+        for (std::size_t column = first_column_[i]; column < first_column_[i + 1]; ++column)
+          sum += column_weight_[column] * from[column];
+        *out++ = sum;
+      }
+    }
+}
+
+}  // namespace skylut
