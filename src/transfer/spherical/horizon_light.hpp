@@ -103,8 +103,7 @@ void HorizonDeficit<V>::find(const OpticsView& optics, const HorizonLight<V>& li
     find_kernel(optics.horizon_moment + peak * grid_.horizon.degrees * kLaneCount<V>, kernel.data());
     for (int level = 0; level < grid_.horizon.levels; ++level) {
       const int layer = grid_.horizon.layer_of_level[level];
-      const V share =
-          load<V>(optics.horizon_share + (layer * optics.horizon_peaks + peak) * kLaneCount<V>);
+      const V share = load<V>(optics.horizon_share + (layer * optics.horizon_peaks + peak) * kLaneCount<V>);
       for (int node = 0; node < grid_.sun_nodes; ++node)
         apply(kernel.data(), share, light.at(level, node), deficit_.data() + index(level, node));
     }

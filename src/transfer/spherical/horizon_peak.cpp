@@ -10,22 +10,22 @@ namespace skylut::transfer {
 
 namespace {
 
-/// Degrees that are summed: details of 0.7°; twice as many change nothing by more than 0.04 %. Of light
-/// from further than 30° above or below the horizon the lowest do, on which the kernel's tail rests.
+/// Degrees that are summed: details of 0.7°, and four times as many change no radiance by more than 0.05 %.
+/// For light from more than 30° above or below the horizon fewer do: only the kernel's tail reaches there.
 constexpr int kDegrees = 129;
 constexpr int kFarDegrees = 65;
 constexpr double kFarCosine = 0.5;
 
-/// C is kept at nodes within 17° of the horizon; it acts whole within 4° and fades out to 12°, whole up to 3 km
-/// and fades out to 4 km: higher up the air below has filled in the horizon's jump.
+/// C is kept at nodes within 12° of the horizon. It acts whole within 3° of it and fades out to 8°; whole up
+/// to 2 km and fades out to 3 km: higher up the air below has filled in the horizon's jump.
 constexpr double kKeptCosine = 0.2;
 constexpr double kWholeCosine = 0.05;
 constexpr double kNoneCosine = 0.14;
 constexpr double kWhole_km = 2.0;
 constexpr double kNone_km = 3.0;
-/// The lowest levels of the sweep from these heights on are kept. In √h, with which the horizon's dip grows, C is
-/// smooth between them.
-constexpr double kLevels_km[] = {0.0, 0.02, 0.12, 0.4, 1.1, kNone_km};
+/// The lowest levels of the sweep from these heights on are kept. In √h, with which the horizon's dip grows,
+/// C is smooth between them.
+constexpr double kLevels_km[kMostHorizonLevels] = {0.0, 0.02, 0.12, 0.4, 1.1, kNone_km};
 
 std::vector<double> roots(const AngularGrid& angles, int count) {
   std::vector<double> root;
@@ -59,7 +59,8 @@ struct NodeQuadrature {
     for (std::size_t j = 0; j <= root.size(); ++j) {
       const double upper = j < root.size() ? root[j] : 1.0;
       const bool far = lower * lower > kFarCosine;
-      const double phase = (std::asin(upper * upper) - std::asin(lower * lower)) * (far ? kFarDegrees : kDegrees);
+      const double phase =
+          (std::asin(upper * upper) - std::asin(lower * lower)) * (far ? kFarDegrees : kDegrees);
       const Quadrature rule = gauss_legendre(4 + static_cast<int>(0.6 * phase), lower, upper);
       const int first = among_nodes(0.5 * (lower + upper)).first;
       for (std::size_t i = 0; i < rule.node.size(); ++i) {
@@ -125,11 +126,12 @@ HorizonWeights HorizonNodes::at(double mu, double altitude_km) const {
   const double height_km = std::clamp(altitude_km, 0.0, altitude_km_.back());
   const auto above = std::upper_bound(altitude_km_.begin() + 1, altitude_km_.end() - 1, height_km);
   const double lower_root = std::sqrt(*(above - 1));
-  HorizonWeights weights{.near = true,
-                         .hemisphere = mu > 0.0 ? kUp : kDown,
-                         .nodes = among_nodes_(std::sqrt(cosine)),
-                         .level = static_cast<int>(above - altitude_km_.begin()) - 1,
-                         .fraction = static_cast<float>((std::sqrt(height_km) - lower_root) / (std::sqrt(*above) - lower_root))};
+  HorizonWeights weights{
+      .near = true,
+      .hemisphere = mu > 0.0 ? kUp : kDown,
+      .nodes = among_nodes_(std::sqrt(cosine)),
+      .level = static_cast<int>(above - altitude_km_.begin()) - 1,
+      .fraction = static_cast<float>((std::sqrt(height_km) - lower_root) / (std::sqrt(*above) - lower_root))};
   const double left = std::min(1.0, (kNoneCosine - cosine) / (kNoneCosine - kWholeCosine)) *
                       std::min(1.0, (kNone_km - altitude_km) / (kNone_km - kWhole_km));
   for (float& weight : weights.nodes.weight) weight *= static_cast<float>(left);
@@ -154,7 +156,8 @@ HorizonPeakTables::HorizonPeakTables(const AngularGrid& angles, const HorizonNod
       for (std::size_t i = 0; i < intervals; ++i) {
         double sum[4] = {};
         for (; point < quadrature.interval[i].end; ++point)
-          for (std::size_t t = 0; t < 4; ++t) sum[t] += quadrature.weight[point][t] * at_points.values()[point];
+          for (std::size_t t = 0; t < 4; ++t)
+            sum[t] += quadrature.weight[point][t] * at_points.values()[point];
         double* const to = analysed.data() + quadrature.interval[i].first_node;
         for (std::size_t t = 0; t < 4; ++t) to[t] += sum[t];
       }

@@ -11,18 +11,22 @@
 
 namespace skylut::transfer {
 
-/// A forward peak smaller than this share of the scattering needs no correction at the horizon.
+// Delta-M takes the forward peak for light that goes straight on. Close to the horizon the radiance jumps
+// within the peak's width, from the sky to the dark ground, and what the peak scatters into a grazing line of
+// sight comes from both. With P_peak = Σ (2l+1) p_l P_l, p_l = 1 up to L and χ_l/χ_{L+1} beyond, the line
+// lacks the source
+//   β_peak C,   C = (1/4π) ∫ P_peak(Ω·Ω') I(Ω') dΩ' - I(Ω),
+// which the sweep's radiance gives at the polar nodes near the horizon (horizon_light.hpp). [theory.md §4.6,
+// L6]
+
+/// A peak smaller than this share of the scattering needs no correction: at most half of it is missing.
 inline constexpr double kLeastHorizonPeak = 2e-3;
 
-/// Delta-M takes the forward peak for light that goes straight on. Close to the horizon the radiance jumps
-/// within the peak's width, from the sky to the dark ground, and what the peak scatters into a grazing line
-/// of sight comes from both: with the peak P_peak = Σ (2l+1) p_l P_l, p_l = 1 up to L and χ_l/χ_{L+1} beyond,
-/// lines of sight lack the source
-///   β_peak C,   C = (1/4π) ∫ P_peak(Ω·Ω') I(Ω') dΩ' - I(Ω),
-/// which is kept at the polar nodes near the horizon. [theory.md §4.6, L6]
+/// Levels at which C is kept.
+inline constexpr int kMostHorizonLevels = 6;
 
-/// The polar nodes and levels near the horizon and the ground, and the way in which lines of sight interpolate
-/// between them.
+/// The polar nodes and levels near the horizon and the ground, and the way in which lines of sight
+/// interpolate between them.
 class HorizonNodes {
  public:
   /// @param layer_of_sublayer  merged layers
@@ -60,11 +64,11 @@ class HorizonPeakTables {
   std::vector<float> analysis_;
 };
 
-/// The peaks of the columns of one block.
+/// The peaks of the columns of one block; none unless made from columns.
 struct HorizonPeaks {
   int peaks = 0;              ///< the most that a lane has
   std::vector<float> moment;  ///< [peak][l][lane]: p_l
-  std::vector<float> share;   ///< [layer of the sweep][peak][lane]: of the layer's β_peak
+  std::vector<float> share;   ///< [layer of the sweep][peak][lane]: of the peaks of the layer
 
   HorizonPeaks() = default;
   /// @param columns  of merged layers, one per lane

@@ -46,10 +46,10 @@ struct HorizonWeights {
 
 /// See HorizonPeakTables.
 struct HorizonView {
-  int nodes;               ///< polar nodes near the horizon
-  int degrees;             ///< that are summed
-  const float* synthesis;  ///< [m][l >= m][node]: (2l+1) Λ_lm(|μ|)
-  const float* analysis;   ///< [m][l >= m][polar]: Σ analysis I_m = ½ ∫ Λ_lm(|μ|) I_m d|μ|
+  int nodes;                  ///< polar nodes near the horizon
+  int degrees;                ///< that are summed
+  const float* synthesis;     ///< [m][l >= m][node]: (2l+1) Λ_lm(|μ|)
+  const float* analysis;      ///< [m][l >= m][polar]: Σ analysis I_m = ½ ∫ Λ_lm(|μ|) I_m d|μ|
   int levels;                 ///< that are kept
   const int* place_of_level;  ///< [level of the sweep]: among those that are kept; -1: it is not
   const int* layer_of_level;  ///< [level that is kept]: merged layer above it (of the top level, below)
@@ -97,10 +97,10 @@ struct OpticsView {
   LayerView layers;
   LayerView sweep_layers;
   const float* scattering_per_km;
-  const float* peak_per_km;  ///< [layer][lane]: what delta-M takes for unscattered
-  int horizon_peaks;
-  const float* horizon_moment;
-  const float* horizon_share;
+  const float* peak_per_km;     ///< [layer][lane]: what delta-M takes for unscattered
+  int horizon_peaks;            ///< see HorizonPeaks; 0: no lane is corrected
+  const float* horizon_moment;  ///< [peak][degree][lane]
+  const float* horizon_share;   ///< [layer of the sweep][peak][lane]
   const float* ground_albedo;
 };
 

@@ -203,10 +203,10 @@ inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const
       at_far[l] += far * load<V>(factor + l * kLaneCount<V>);
     }
     if (diffuse.horizon[piece.source].near || diffuse.horizon[piece.source + 1].near) {
-      const V peak = load<V>(optics.peak_per_km + piece.layer * kLaneCount<V>) * piece.length_km /
-                     lane_max(step, broadcast<V>(1e-30f));
-      peak_weight.data()[piece.source] += near * peak;
-      peak_weight.data()[piece.source + 1] += far * peak;
+      const V peak = load<V>(optics.peak_per_km + piece.layer * kLaneCount<V>) * piece.length_km;
+      const V share = peak / lane_max(step + peak, broadcast<V>(1e-30f));
+      peak_weight.data()[piece.source] += near * share;
+      peak_weight.data()[piece.source + 1] += far * share;
     }
     depth += step;
   }
@@ -239,7 +239,8 @@ inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView&
       const V* upper = field.moments(level + 1, node);
       for (int m = 0; m < grid.azimuthal_orders; ++m) {
         V sum{};
-        for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * upper[i];
+        for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i)
+          sum += direction[i] * upper[i];
         orders[m] += (sum - orders[m]) * source.fraction;
       }
     }
