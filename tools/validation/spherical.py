@@ -148,6 +148,29 @@ def cleared(members, doubts):
     return f" ({agreed} of them within it by our Monte Carlo: section 1)"
 
 
+def add_real_hazes(context, section):
+    """Mie hazes, in which a cut forward peak shows at the horizon (theory.md, L6): every direction."""
+    documents = cases.load(context.reference / "solver_mie", "mie_*.json")
+    if not documents:
+        section.add("Real hazes are skipped: no `solver_mie/mie_*.json` in the reference folder.")
+        return
+    rows = []
+    several = []
+    for name, document in documents.items():
+        answer, _ = context.program.solve(document)
+        errors = errors_of(document, answer)
+        several.append(errors)
+        for result, deviation, noise in zip(document["results"], errors.deviation, errors.noise):
+            rows.append([name, f"{result['view_zenith_deg']:g}°, {result['relative_azimuth_deg']:g}°",
+                         percent(deviation, sign=True), percent(noise)])
+    errors = Errors.joined(several)
+    section.check("MYSTIC, real hazes to the horizon", f"{len(documents)} cases, {errors.count} directions",
+                  f"worst {percent(errors.deviation[errors.worst], sign=True)}, {errors.outside} outside; RMS {percent(errors.rms)}",
+                  "max(3σ, 0.70 %)", errors.outside == 0)
+    section.add("Real hazes (Mie, `skylut profile case`), seen from the ground down to 89.9°:")
+    section.add(table(["case", "view", "ours − MYSTIC", "σ"], rows))
+
+
 def run(context):
     section = Section("Spherical solver against MYSTIC")
     answers = solved(context)
@@ -194,5 +217,6 @@ def run(context):
     section.add(table(["case", "medium", "sun/°", "observer/km", "directions", "noise", "RMS", "bar",
                        "worst for its bar", "bar",
                        "outside", "CPU s"], case_rows(answers)))
+    add_real_hazes(context, section)
     section.add("Rerun: `tools/validate --only spherical`; one case: `skylut solve REFERENCE/solver/<case>.json`.")
     return section

@@ -63,12 +63,16 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
   scattering_per_km.resize(static_cast<std::size_t>(scatterers) * layer_count * width);
   peak_per_km.resize(layer_count * width);
 
+  std::vector<OpticalColumn> merged;
+  for (const OpticalColumn* one : column) merged.push_back(grid.common.merge.column(*one));
+  if (delta_m && grid.cuts_peak) horizon = HorizonPeaks(merged, grid.angles.resolution().max_l);
+
   for (std::size_t lane = 0; lane < width; ++lane) {
     const OpticalColumn& one = *column[lane];
     ground_albedo.push_back(static_cast<float>(one.ground_albedo));
     scale_column(shells, one, legendre_terms, delta_m, lane, width, layers);
-    scale_column(grid.common.merge.shells(), grid.common.merge.column(one), legendre_terms, delta_m, lane,
-                 width, sweep_layers);
+    scale_column(grid.common.merge.shells(), merged[lane], legendre_terms, delta_m, lane, width,
+                 sweep_layers);
     for (std::size_t layer = 0; layer < layer_count; ++layer) {
       const double thickness_km = shells.levels_km[layer + 1] - shells.levels_km[layer];
       const double whole = one.extinction_depth[layer] / thickness_km;

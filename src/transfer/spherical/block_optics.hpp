@@ -5,6 +5,7 @@
 
 #include "discretisation.hpp"
 #include "forward_peak_correction.hpp"
+#include "horizon_peak.hpp"
 #include "kernel_problem.hpp"
 
 namespace skylut::transfer {
@@ -33,6 +34,7 @@ struct BlockOptics {
   ScaledLayers sweep_layers;             ///< merged, for the sweep
   std::vector<float> scattering_per_km;  ///< [scatterer][layer][lane], not scaled: exact single scattering
   std::vector<float> peak_per_km;        ///< [layer][lane]: scattering that delta-M takes for none
+  HorizonPeaks horizon;                  ///< those that are corrected at the horizon
   std::vector<float> ground_albedo;      ///< [lane]
 
   OpticsView view() const {
@@ -41,6 +43,9 @@ struct BlockOptics {
             .sweep_layers = sweep_layers.view(),
             .scattering_per_km = scattering_per_km.data(),
             .peak_per_km = peak_per_km.data(),
+            .horizon_peaks = horizon.peaks,
+            .horizon_moment = horizon.moment.data(),
+            .horizon_share = horizon.share.data(),
             .ground_albedo = ground_albedo.data()};
   }
 

@@ -19,6 +19,9 @@ class Convergence {
         mean_change_(count(grid.sublayers + 1)),
         last_change_(count(1)) {}
 
+  /// Whether lanes may converge in an iteration, counted from 1.
+  static bool judges(int iteration) { return iteration > 1 && iteration % kExtrapolateEvery != 1; }
+
   /// Judges an iteration and, every third time, extrapolates the moments of both hemispheres
   /// [level][node][moment].
   /// @return lanes not yet converged
@@ -56,7 +59,7 @@ template <class V>
 LaneMask<V> Convergence<V>::accelerate_and_test(int iteration, float tolerance, LaneArray<V> (&hemisphere)[2],
                                                 LaneMask<V> active) {
   const int levels = grid_.sublayers + 1;
-  const bool judged = iteration > 1 && iteration % kExtrapolateEvery != 1;
+  const bool judged = judges(iteration);
   const bool extrapolates = iteration % kExtrapolateEvery == 0;
   LaneMask<V> open = judged ? V{} != V{} : V{} == V{};
   // From one sun node to the next no light falls off by more than a thousand, except where none is left (in

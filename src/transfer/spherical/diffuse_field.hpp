@@ -3,6 +3,7 @@
 #include "angular_sizes.hpp"
 #include "azimuth_transform.hpp"
 #include "convergence.hpp"
+#include "horizon_light.hpp"
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
@@ -35,7 +36,8 @@ class DiffuseField {
         ground_irradiance_(count(1, 1)),
         step_weights_(static_cast<std::size_t>(grid.polar_nodes)),
         scaled_moments_(static_cast<std::size_t>(grid.moments)),
-        by_azimuthal_order_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)) {
+        by_azimuthal_order_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)),
+        horizon_(grid, optics) {
     source_moments_[kDown] = hemisphere_[kDown].data();
     source_moments_[kUp] = hemisphere_[kUp].data();
   }
@@ -48,6 +50,8 @@ class DiffuseField {
   /// irradiance of the ground [node], after solve; once each.
   LaneArray<V> take_moments();
   LaneArray<V> take_ground_irradiance() { return static_cast<LaneArray<V>&&>(ground_irradiance_); }
+  /// What the sweep found near the ground.
+  const HorizonLight<V>& horizon_light() const { return horizon_; }
 
  private:
   std::size_t count(int levels, int each) const {
@@ -86,6 +90,7 @@ class DiffuseField {
   LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
   LaneArray<V> scaled_moments_;
   LaneArray<V> by_azimuthal_order_;
+  HorizonLight<V> horizon_;
 };
 
 template <class V, class Sizes>
@@ -120,6 +125,7 @@ IterationReport DiffuseField<V, Sizes>::solve(const IterationLimits& limits) {
   while (report.iterations < limits.max_iterations) {
     if (stops()) return report;
     ++report.iterations;
+    horizon_.open(Convergence<V>::judges(report.iterations));
     sweep_down(active);
     reflect_at_ground(active, false);
     sweep_up(active);
@@ -210,6 +216,7 @@ void DiffuseField<V, Sizes>::analyse(Hemisphere hemisphere, int level, int node,
   V* by_order = by_azimuthal_order_.data();
   for (int j = 0; j < sizes_.polar_nodes; ++j)
     orders_of_azimuths(grid_, sizes_, radiance + j * sizes_.azimuth_nodes, by_order + j * azimuthal_orders);
+  horizon_.keep(hemisphere, level, node, active, by_order);
   V* found = scaled_moments_.data();
   sizes_.for_orders([&](auto order) {
     const int m = value_of<V>(order);

@@ -18,6 +18,7 @@ DiffuseRay::DiffuseRay(const Discretisation& grid, double observer_km, double vi
     for (int m = 0; m < grid.angles.azimuthal_orders(); ++m)
       for (const double value : normalised_legendre(m, grid.angles.resolution().max_l, -point.cos_view))
         polar_moment_.push_back(static_cast<float>(value));
+    horizon_.push_back(grid.horizon.at(-point.cos_view, point.altitude_km));
     const LocalSun::Point& local = local_sun.at(point);
     sun_weights_.push_back(local.sun_weights.data());
     azimuth_factor_.push_back(local.azimuth_factor.data());
@@ -59,6 +60,7 @@ DiffuseRayView DiffuseRay::view() const {
           .piece = piece_.data(),
           .source = source_.data(),
           .polar_moment = polar_moment_.data(),
+          .horizon = horizon_.data(),
           .sun_weights = sun_weights_.data(),
           .azimuth_factor = azimuth_factor_.data()};
 }

@@ -28,6 +28,7 @@ class DiffuseRay {
   std::vector<SourcePoint> source_;
   std::vector<RayPoint> source_at_;
   std::vector<float> polar_moment_;
+  std::vector<HorizonWeights> horizon_;
   std::vector<const InterpolationWeights*> sun_weights_;
   std::vector<const float*> azimuth_factor_;
 };

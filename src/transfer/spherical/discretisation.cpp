@@ -145,6 +145,7 @@ DiscretisationKey discretisation_for(const LayerMerge& merge, const Discretisati
                                      const OpticalColumn& column) {
   DiscretisationKey key;
   key.angles = angles_for(column, options);
+  key.cuts_peak = cut_off(column, key.angles.max_l).peak > kLeastHorizonPeak;
   const OpticalColumn merged = merge.column(column);
   // Absorption bends the source less than scattering does, and what is absorbed is dark.
   constexpr double kAbsorptionWeight = 0.25;
@@ -189,6 +190,8 @@ Discretisation::Discretisation(const CommonGrid& common_, const DiscretisationKe
       ray_levels(joined_levels(common.layers, sublayers), common.shells.planet_radius_km),
       layer_of_sublayer(layers_of(common.merge.shells(), sublayers)),
       angles(key.angles),
+      cuts_peak(key.cuts_peak),
+      horizon(angles, sublayers, layer_of_sublayer),
       stencil(sublayers, angles, common.sun_nodes_deg),
       beam(common, sublayers) {}
 

@@ -4,6 +4,7 @@
 
 #include "angular_grid.hpp"
 #include "common_grid.hpp"
+#include "horizon_peak.hpp"
 #include "interpolation.hpp"
 #include "shell_geometry.hpp"
 #include "sweep_stencil.hpp"
@@ -16,6 +17,7 @@ namespace skylut::transfer {
 struct DiscretisationKey {
   std::vector<int> sublayers;  ///< number of equal parts per merged layer
   AngularResolution angles;
+  bool cuts_peak = false;  ///< delta-M takes a forward peak that matters at the horizon
 
   bool operator==(const DiscretisationKey&) const = default;
 };
@@ -61,6 +63,8 @@ struct Discretisation {
   ShellGeometry ray_levels;            ///< boundaries of the medium's layers and of the sublayers
   std::vector<int> layer_of_sublayer;  ///< merged layer
   AngularGrid angles;
+  bool cuts_peak;
+  HorizonNodes horizon;
   SweepStencil stencil;
   BeamGeometry beam;
 };

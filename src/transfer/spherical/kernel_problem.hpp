@@ -35,6 +35,26 @@ struct SlantDepthView {
   const float* from_perigee_path_km;  ///< [point][layer]
 };
 
+/// Where a grazing direction near the ground lies between the polar nodes and levels of HorizonNodes.
+struct HorizonWeights {
+  bool near = false;  ///< whether it is one
+  std::int32_t hemisphere = 0;
+  InterpolationWeights nodes;
+  std::int32_t level = 0;  ///< among those that are kept
+  float fraction = 0.0f;   ///< of the way to the next one
+};
+
+/// See HorizonPeakTables.
+struct HorizonView {
+  int nodes;                  ///< polar nodes near the horizon
+  int degrees;                ///< that are summed
+  const float* synthesis;     ///< [m][l >= m][node]: (2l+1) Λ_lm(|μ|)
+  const float* analysis;      ///< [m][l >= m][polar]: Σ analysis I_m = ½ ∫ Λ_lm(|μ|) I_m d|μ|
+  int levels;                 ///< that are kept
+  const int* place_of_level;  ///< [level of the sweep]: among those that are kept; -1: it is not
+  const int* layer_of_level;  ///< [level that is kept]: merged layer above it (of the top level, below)
+};
+
 struct SweepView {
   SlantDepthView slant_depth;
   int sublayers;  ///< of the sweep; levels = sublayers + 1
@@ -62,6 +82,7 @@ struct SweepView {
   const int* first_piece;                      ///< [sublayer], one past the last
   const int* piece_layer;
   const float* piece_thickness_km;
+  HorizonView horizon;  ///< nodes 0: no column cuts off a peak
 };
 
 /// See ScaledLayers.
@@ -76,7 +97,10 @@ struct OpticsView {
   LayerView layers;
   LayerView sweep_layers;
   const float* scattering_per_km;
-  const float* peak_per_km;  ///< [layer][lane]: what delta-M takes for unscattered
+  const float* peak_per_km;     ///< [layer][lane]: what delta-M takes for unscattered
+  int horizon_peaks;            ///< see HorizonPeaks; 0: no lane is corrected
+  const float* horizon_moment;  ///< [peak][degree][lane]
+  const float* horizon_share;   ///< [layer of the sweep][peak][lane]
   const float* ground_albedo;
 };
 
@@ -151,6 +175,7 @@ struct DiffuseRayView {
   const SourcePiece* piece;
   const SourcePoint* source;                       ///< the last one is the ray's end
   const float* polar_moment;                       ///< [source][moment]: Λ_lm(μ) of the light there
+  const HorizonWeights* horizon;                   ///< [source]
   const InterpolationWeights* const* sun_weights;  ///< [source] → [pair], among the sun nodes
   const float* const* azimuth_factor;  ///< [source] → [pair][m], azimuth_stride apart: (2-δ_m0) cos mφ
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "horizon_light.hpp"
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
@@ -17,6 +18,7 @@ struct Solution {
   const SweepView& grid;
   LaneArray<V> moment;             // [level][node][moment]
   LaneArray<V> ground_irradiance;  // diffuse [node]
+  HorizonDeficit<V> horizon;
 
   const V* moments(int level, int node) const {
     return moment.data() +
@@ -53,12 +55,14 @@ struct RayScratch {
   RayScratch(const SweepView& grid, const RayView& ray, const DiffuseRayView& diffuse)
       : far_depth(static_cast<std::size_t>(ray.pairs)),
         degree_weight(static_cast<std::size_t>(diffuse.sources * grid.legendre_terms)),
+        peak_weight(static_cast<std::size_t>(diffuse.sources)),
         direction_weight(static_cast<std::size_t>(grid.moments)),
         source_azimuthal_orders(static_cast<std::size_t>(grid.sun_nodes * grid.azimuthal_orders)),
         node_use(static_cast<std::size_t>(grid.sun_nodes)),
         radiance(static_cast<std::size_t>(ray.pairs)) {}
   LaneArray<V> far_depth;                // observer to point to sun, at the end of the last lit part [pair]
   LaneArray<V> degree_weight;            // see weigh_sources [source][degree]
+  LaneArray<V> peak_weight;              // the same of the forward peak that is cut off [source]
   LaneArray<V> direction_weight;         // the same times Λ_lm(μ), at one source [moment]
   LaneArray<V> source_azimuthal_orders;  // [sun node][m]
   LaneArray<NodeUse<V>> node_use;        // at one source [sun node]
@@ -174,11 +178,14 @@ inline void single_scattering_amplitudes(const SweepView& grid, const OpticsView
 
 /// What every source point's moments of each degree contribute to the radiance: ω (2l+1) χ_l of the medium's
 /// own layers, weighted by the formal solution over every piece, in which the moments go linearly from one
-/// source point to the next. [T1, L3]
+/// source point to the next; and what their deficits at the horizon contribute. [T1, L3, L6]
 template <class V>
 inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const DiffuseRayView& diffuse,
-                          LaneArray<V>& degree_weight) {
+                          RayScratch<V>& scratch) {
+  LaneArray<V>& degree_weight = scratch.degree_weight;
+  LaneArray<V>& peak_weight = scratch.peak_weight;
   degree_weight.fill(V{});
+  peak_weight.fill(V{});
   V depth{};
   for (int i = 0; i < diffuse.pieces; ++i) {
     const SourcePiece& piece = diffuse.piece[i];
@@ -194,6 +201,12 @@ inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const
     for (int l = 0; l < grid.legendre_terms; ++l) {
       at_near[l] += near * load<V>(factor + l * kLaneCount<V>);
       at_far[l] += far * load<V>(factor + l * kLaneCount<V>);
+    }
+    if (diffuse.horizon[piece.source].near || diffuse.horizon[piece.source + 1].near) {
+      const V peak = load<V>(optics.peak_per_km + piece.layer * kLaneCount<V>) * piece.length_km;
+      const V share = peak / lane_max(step + peak, broadcast<V>(1e-30f));
+      peak_weight.data()[piece.source] += near * share;
+      peak_weight.data()[piece.source + 1] += far * share;
     }
     depth += step;
   }
@@ -212,6 +225,7 @@ inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView&
 
   const bool between = source.fraction > 0.0f && source.fraction < 1.0f;
   const int level = source.fraction < 1.0f ? source.sublayer : source.sublayer + 1;
+  const bool grazes = field.horizon.wanted() && diffuse.horizon[at].near;
   for (int node = 0; node < grid.sun_nodes; ++node) {
     if (!scratch.node_use.data()[node].wanted) continue;
     const V* lower = field.moments(level, node);
@@ -221,13 +235,16 @@ inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView&
       for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * lower[i];
       orders[m] = sum;
     }
-    if (!between) continue;
-    const V* upper = field.moments(level + 1, node);
-    for (int m = 0; m < grid.azimuthal_orders; ++m) {
-      V sum{};
-      for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * upper[i];
-      orders[m] += (sum - orders[m]) * source.fraction;
+    if (between) {
+      const V* upper = field.moments(level + 1, node);
+      for (int m = 0; m < grid.azimuthal_orders; ++m) {
+        V sum{};
+        for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i)
+          sum += direction[i] * upper[i];
+        orders[m] += (sum - orders[m]) * source.fraction;
+      }
     }
+    if (grazes) field.horizon.add(diffuse.horizon[at], node, scratch.peak_weight.data()[at], orders);
   }
 }
 
@@ -236,7 +253,7 @@ template <class V>
 inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                                const DiffuseRayView& diffuse, const Solution<V>& field,
                                RayScratch<V>& scratch, V* out) {
-  weigh_sources(grid, optics, diffuse, scratch.degree_weight);
+  weigh_sources(grid, optics, diffuse, scratch);
   const int stride = grid.azimuthal_orders;
   for (int at = 0; at < diffuse.sources; ++at) {
     const InterpolationWeights* suns = diffuse.sun_weights[at];

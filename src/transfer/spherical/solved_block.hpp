@@ -16,7 +16,8 @@ class SolvedLanes final : public SolvedBlock {
       : optics_(optics),
         slant_depth_(static_cast<SlantDepthToSun<V>&&>(slant_depth)),
         slant_peak_depth_(grid.slant_depth, optics.peak_per_km),
-        solution_{grid, field.take_moments(), field.take_ground_irradiance()} {}
+        solution_{grid, field.take_moments(), field.take_ground_irradiance(),
+                  HorizonDeficit<V>(grid, optics, field.horizon_light())} {}
 
   /// Radiance of the ray for every pair: L1 + L3 + L4.
   void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "block_optics.hpp"
@@ -25,6 +26,7 @@ class SweepTables {
   std::vector<float> flux_weight_;
   std::vector<float> beam_moment_;
   std::vector<float> sun_cosine_;
+  std::optional<HorizonPeakTables> horizon_;
 };
 
 }  // namespace skylut::transfer

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "common_grid.hpp"
+#include "horizon_peak.hpp"
 #include "kernel_choice.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
@@ -39,6 +40,7 @@ struct Sizes {
   double legendre_terms;
   double azimuthal_orders;
   double chord_nodes;
+  double horizon_levels;  ///< at which the radiance of both hemispheres is kept; 0: of no column
 
   double directions() const { return polar * azimuths; }
 };
@@ -52,6 +54,7 @@ Sizes sizes_of(const Work& work, const SunBand& band, const DiscretisationKey& k
   sizes.azimuths = angles.azimuth_nodes;
   sizes.legendre_terms = angles.max_l + 1;
   sizes.azimuthal_orders = angles.max_m + 1;
+  sizes.horizon_levels = key.cuts_peak ? kMostHorizonLevels : 0.0;
   for (int m = 0; m <= angles.max_m; ++m) sizes.moments += angles.max_l + 1 - m;
   // A sublayer of thickness d has chords up to the cosine √(2d/R) at its upper side; the nodes are even in
   // √μ.
@@ -78,13 +81,15 @@ double lanes_bytes(const Kernel& kernel) {
   return kernel.lanes * static_cast<double>(kernel.lanes == 1 ? sizeof(double) : sizeof(float));
 }
 
-/// What stays of a block once it is solved: moments, depths towards the sun, optics.
+/// What stays of a block once it is solved: moments, depths towards the sun, optics, what half of the polar
+/// nodes lack at the horizon.
 double kept_bytes(const Work& work, const Sizes& sizes) {
   const double layers = count_of(work.shells.levels_km) - 1.0;
   const double scatterers = 2.0;
   return lanes_bytes(work.kernel) *
          ((sizes.sublayers + 1.0) * sizes.sun_nodes * sizes.moments + 2.0 * SlantDepthGrid::points(layers) +
-          layers * (2.0 * sizes.legendre_terms + 4.0 + scatterers));
+          layers * (2.0 * sizes.legendre_terms + 4.0 + scatterers) +
+          sizes.horizon_levels * sizes.sun_nodes * sizes.polar * sizes.azimuthal_orders);
 }
 
 /// What is there besides while it is solved.
@@ -92,7 +97,7 @@ double scratch_bytes(const Work& work, const Sizes& sizes) {
   const double fields = work.options.scattering_orders > 0 ? 3.0 : 1.0;
   return lanes_bytes(work.kernel) * sizes.sun_nodes *
          ((sizes.sublayers + 1.0) * (fields * sizes.moments + sizes.chord_nodes * sizes.azimuths + 6.0) +
-          3.0 * sizes.directions());
+          3.0 * sizes.directions() + sizes.horizon_levels * 2.0 * sizes.polar * sizes.azimuthal_orders);
 }
 
 double block_cpu_s(const Work& work, const Sizes& sizes, double scattering_depth) {

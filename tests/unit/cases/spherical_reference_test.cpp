@@ -88,11 +88,17 @@ TEST(SphericalReference, OwnCases) {
 }
 
 TEST(SphericalReference, SharedCases) {
-  const std::filesystem::path folder = std::filesystem::path(SKYLUT_SHARED_REFERENCE) / "solver";
-  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no shared reference set";
+  // Round-number media with Henyey-Greenstein haze, and real hazes (Mie) seen down to the horizon.
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().filename().string().starts_with("sph_")) paths.push_back(entry.path());
+  for (const char* const set : {"solver", "solver_mie"}) {
+    const std::filesystem::path folder = std::filesystem::path(SKYLUT_SHARED_REFERENCE) / set;
+    if (!std::filesystem::is_directory(folder)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("sph_") || name.starts_with("mie_")) paths.push_back(entry.path());
+    }
+  }
+  if (paths.empty()) GTEST_SKIP() << "no shared reference set";
   std::sort(paths.begin(), paths.end());
   std::map<double, Group> groups;
   for (const auto& path : paths) compare(read_json_file(path), path.stem().string(), groups);

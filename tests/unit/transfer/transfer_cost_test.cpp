@@ -74,7 +74,8 @@ TEST(TransferCost, GrowsWithTheDepth) {
   const TransferCost thin = cost_of(cloud(1.0));
   const TransferCost thick = cost_of(cloud(100.0));
   EXPECT_GT(thick.most_sublayers, 50.0 * thin.most_sublayers);
-  EXPECT_GT(thick.largest_field_bytes, 50.0 * thin.largest_field_bytes);
+  // What is kept near the horizon does not grow.
+  EXPECT_GT(thick.largest_field_bytes, 40.0 * thin.largest_field_bytes);
   EXPECT_GT(thick.cpu_s, 50.0 * thin.cpu_s);
   EXPECT_EQ(thick.blocks, 1u);
 }
