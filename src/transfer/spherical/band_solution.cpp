@@ -14,6 +14,9 @@ namespace skylut::transfer {
 namespace {
 
 constexpr int kMostIterations = 200;
+/// Of the tolerance, where suns are solved in bands: low suns converge last, and take the others along where
+/// all are solved together.
+constexpr double kBandTolerance = 0.5;
 
 /// Runs of blocks that share a grid.
 std::vector<std::span<const Block>> by_grid(std::span<const Block> blocks) {
@@ -65,7 +68,8 @@ void solve_field(const Context& context, const Work& work, Block& block) {
   const IterationLimits limits{
       .scattering_orders = work.options.scattering_orders,
       .max_iterations = kMostIterations,
-      .tolerance = static_cast<float>(work.options.discretisation.tolerance),
+      .tolerance = static_cast<float>(work.options.discretisation.tolerance *
+                                      (work.bands.size() > 1 ? kBandTolerance : 1.0)),
       .cancelled =
           [](const void* token) { return static_cast<const std::stop_token*>(token)->stop_requested(); },
       .token = &context.cancel};
