@@ -2,7 +2,7 @@
 // horizon or the sun, the largest and the 99th percentile of the relative error of radiance at 8 wavelengths
 // and of luminance, with what building the sky took. One line per altitude, load and sun.
 //
-// continuous_sky_accuracy [AEROSOL [TOLERANCE [DIRECTIONS]]]
+// continuous_sky_accuracy [AEROSOL [TOLERANCE [DIRECTIONS [ALTITUDE_KM]]]]
 
 #include <fmt/format.h>
 
@@ -59,6 +59,8 @@ int main(int argc, char** argv) {
   ContinuousSkyOptions options;
   if (argc > 2) options.tolerance = std::atof(argv[2]);
   const auto count = static_cast<std::size_t>(argc > 3 ? std::atoi(argv[3]) : 2000);
+  std::vector<double> altitudes_km{0.0, 1.0, 6.0, 12.0, 30.0};
+  if (argc > 4) altitudes_km = {std::atof(argv[4])};
   SkyScene scene;
   scene.atmosphere = std::make_shared<const Atmosphere>(build_atmosphere(context, description));
   scene.wavelengths = WavelengthGrid(380.0, 730.0, 50.0);
@@ -72,7 +74,7 @@ int main(int argc, char** argv) {
     scene.turbidities = {{TurbidityKind::aod500, load}};
     const auto solved = std::make_shared<const SolvedSky>(context, scene, TransferOptions{});
     const std::size_t width = scene.wavelengths.size();
-    for (const double altitude_km : {0.0, 1.0, 6.0, 12.0, 30.0})
+    for (const double altitude_km : altitudes_km)
       for (const Direction& sun : scene.suns) {
         const double start_s = cpu_s();
         const ContinuousSky sky(context, solved, altitude_km, sun, 1.0, options);

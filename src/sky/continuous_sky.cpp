@@ -125,29 +125,27 @@ class PatchBuilder {
     return {SkyPatch(panel, ground ? 2 : kPoints, ground || overhead ? 1 : kAzimuths), 0, {}, 0.0, 0.0};
   }
 
-  /// All lines of sight of all drafts, in parallel.
+  /// All lines of sight of all drafts, in parallel: the points of a patch together, each comparison.
   void compute(std::vector<Draft>& drafts) const {
     struct Task {
       Draft* draft;
-      int line;  // points, then comparisons
+      Comparison* comparison;  // null: the points
     };
     std::vector<Task> tasks;
     for (Draft& draft : drafts) {
-      draft.patch.reserve(sky_);
       draft.comparisons = comparisons_of(draft.patch);
-      const int lines = draft.patch.points() + static_cast<int>(draft.comparisons.size());
-      for (int line = 0; line < lines; ++line) tasks.push_back({&draft, line});
+      tasks.push_back({&draft, nullptr});
+      for (Comparison& comparison : draft.comparisons) tasks.push_back({&draft, &comparison});
     }
     parallel_for(tasks.size(), context_.threads, [&](std::size_t index) {
       if (context_.cancel.stop_requested()) throw Cancelled();
-      const auto& [draft, line] = tasks[index];
-      if (line < draft->patch.points()) {
-        draft->patch.set_point(sky_, observer_km_, sun_deg_, line);
+      const auto& [draft, with] = tasks[index];
+      if (with == nullptr) {
+        draft->patch.set_points(sky_, observer_km_, sun_deg_);
         return;
       }
-      Comparison& with = draft->comparisons[static_cast<std::size_t>(line - draft->patch.points())];
-      with.exact.resize(with.azimuths_deg.size() * sky_.wavelengths().size());
-      sky_.radiance({observer_km_, with.zenith_deg, sun_deg_, with.azimuths_deg}, with.exact);
+      with->exact.resize(with->azimuths_deg.size() * sky_.wavelengths().size());
+      sky_.radiance({observer_km_, with->zenith_deg, sun_deg_, with->azimuths_deg}, with->exact);
     });
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "skylut/core/check.hpp"
 #include "skylut/core/constants.hpp"
@@ -32,39 +33,35 @@ SkyPatch::SkyPatch(ZenithPanel panel, int points, int azimuths)
   for (int k = 0; k < azimuths; ++k) azimuth_deg_.push_back(azimuths == 1 ? 0.0 : 180.0 * k / (azimuths - 1));
 }
 
-void SkyPatch::set_point(const SolvedSky& sky, double observer_km, double sun_zenith_deg, int point) {
-  const std::size_t width = sky.parts() * sky.wavelengths().size();
+void SkyPatch::set_points(const SolvedSky& sky, double observer_km, double sun_zenith_deg) {
+  const std::size_t wavelengths = sky.wavelengths().size();
+  const std::size_t width = sky.parts() * wavelengths;
   const auto azimuths = static_cast<std::size_t>(azimuths_);
-  SKYLUT_CHECK(!spectral_.empty());
-  std::vector<float> parts(width * azimuths);
-  sky.radiance_parts({observer_km, point_zenith_deg(point), sun_zenith_deg, azimuth_deg_}, parts);
+  std::vector<SightLine> lines;
+  for (int point = 0; point < points(); ++point)
+    lines.push_back({observer_km, point_zenith_deg(point), sun_zenith_deg, azimuth_deg_});
+  std::vector<float> parts(lines.size() * width * azimuths);
+  sky.radiance_parts(lines, parts);
   // The cosine transform of the first kind: c_m = 2/(N-1) Σ'' f_k cos mφ_k, the ends and the first and last m
   // by half.
-  float* coefficients = spectral_.data() + static_cast<std::size_t>(point) * azimuths * width;
-  const std::size_t wavelengths = sky.wavelengths().size();
-  for (std::size_t m = 0; m < azimuths; ++m) {
-    float* order = coefficients + m * width;
-    std::fill(order, order + width, 0.0f);
+  spectral_.assign(lines.size() * azimuths * width, 0.0f);
+  for (std::size_t m = 0; m < azimuths; ++m)
     for (std::size_t k = 0; k < azimuths; ++k) {
       double weight = 1.0;
       if (azimuths > 1) {
-        const double steps = static_cast<double>(azimuths - 1);
+        const auto steps = static_cast<double>(azimuths - 1);
         weight = 2.0 / steps * std::cos(kPi * static_cast<double>(m * k) / steps);
         if (k == 0 || k + 1 == azimuths) weight *= 0.5;
         if (m == 0 || m + 1 == azimuths) weight *= 0.5;
       }
       const auto factor = static_cast<float>(weight);
-      for (std::size_t part = 0; part < sky.parts(); ++part) {
-        const float* from = parts.data() + (part * azimuths + k) * wavelengths;
-        float* to = order + part * wavelengths;
-        for (std::size_t i = 0; i < wavelengths; ++i) to[i] += factor * from[i];
-      }
+      for (std::size_t point = 0; point < lines.size(); ++point)
+        for (std::size_t part = 0; part < sky.parts(); ++part) {
+          const float* from = parts.data() + ((point * sky.parts() + part) * azimuths + k) * wavelengths;
+          float* to = spectral_.data() + (point * azimuths + m) * width + part * wavelengths;
+          for (std::size_t i = 0; i < wavelengths; ++i) to[i] += factor * from[i];
+        }
     }
-  }
-}
-
-void SkyPatch::reserve(const SolvedSky& sky) {
-  spectral_.resize(x_.size() * static_cast<std::size_t>(azimuths_) * sky.parts() * sky.wavelengths().size());
 }
 
 void SkyPatch::set_colours(const SolvedSky& sky) {

@@ -32,11 +32,9 @@ class SkyPatch {
   double point(int at) const { return x_[static_cast<std::size_t>(at)]; }
   const std::vector<double>& azimuths_deg() const { return azimuth_deg_; }
 
-  /// Makes room for the points of a sky.
-  void reserve(const SolvedSky& sky);
-  /// Computes one point from a line of sight. Different points may be set at a time.
-  void set_point(const SolvedSky& sky, double observer_km, double sun_zenith_deg, int point);
-  /// The same as the eye sees them: after all points.
+  /// Computes the points from lines of sight.
+  void set_points(const SolvedSky& sky, double observer_km, double sun_zenith_deg);
+  /// The same as the eye sees them, from the points.
   void set_colours(const SolvedSky& sky);
 
   /// Coefficients at a zenith angle: [m][…] of the parts, or of the colours.

@@ -52,24 +52,27 @@ void SolvedSky::radiance(const SightLine& line, std::span<float> radiance) const
     }
 }
 
-void SolvedSky::radiance_parts(const SightLine& line, std::span<float> parts) const {
-  const std::size_t azimuths = line.relative_azimuth_deg.size();
+void SolvedSky::radiance_parts(std::span<const SightLine> lines, std::span<float> parts) const {
+  if (lines.empty()) return;
+  const std::size_t azimuths = lines.front().relative_azimuth_deg.size();
   const std::size_t width = wavelengths_.size();
   const std::size_t columns = columns_->columns();
-  SKYLUT_CHECK_EQ(parts.size(), this->parts() * azimuths * width);
-  std::vector<float> of_columns(columns_->parts() * azimuths * columns);
-  columns_->radiance_parts(line, of_columns);
+  const std::size_t all = columns_->parts();
+  SKYLUT_CHECK_EQ(parts.size(), lines.size() * this->parts() * azimuths * width);
+  std::vector<float> of_columns(lines.size() * all * azimuths * columns);
+  columns_->radiance_parts(lines, of_columns);
   float* out = parts.data();
-  for (const std::size_t part : factors_->parts())
-    for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) {
-      const float* from = of_columns.data() + (part * azimuths + azimuth) * columns;
-      for (std::size_t i = 0; i < width; ++i) {
-        float sum = 0.0f;
-        for (std::size_t column = first_column_[i]; column < first_column_[i + 1]; ++column)
-          sum += column_weight_[column] * from[column];
-        *out++ = sum;
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    for (const std::size_t part : factors_->parts())
+      for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) {
+        const float* from = of_columns.data() + ((line * all + part) * azimuths + azimuth) * columns;
+        for (std::size_t i = 0; i < width; ++i) {
+          float sum = 0.0f;
+          for (std::size_t column = first_column_[i]; column < first_column_[i + 1]; ++column)
+            sum += column_weight_[column] * from[column];
+          *out++ = sum;
+        }
       }
-    }
 }
 
 }  // namespace skylut

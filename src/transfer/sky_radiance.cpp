@@ -66,7 +66,7 @@ SkyRadiance solve(const Context& context, const Work& work, const std::vector<Co
       // 3. Lines of sight through it, with the sun's single scattering exactly.
       progress.run(lines[band].size(), batch.size(), [&](std::size_t index) {
         const LineOfSight& line = lines[band][index];
-        answer_line_of_sight(solution.common(), line, batch, Answer::radiance,
+        answer_line_of_sight(solution.common(), line, batch,
                              [&](const Block& block, std::span<const float> radiance) {
                                keep_radiances(line, block, radiance, result);
                              });

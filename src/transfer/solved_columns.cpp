@@ -119,7 +119,7 @@ void SolvedColumns::radiance(const SightLine& line, std::span<float> radiance) c
   const std::size_t azimuths = line.relative_azimuth_deg.size();
   SKYLUT_CHECK_EQ(radiance.size(), columns() * azimuths);
   const auto [band, asked] = solution_->question(line);
-  answer_line_of_sight(band->common(), asked, band->blocks(), Answer::radiance,
+  answer_line_of_sight(band->common(), asked, band->blocks(),
                        [&](const Block& block, std::span<const float> values) {
                          const auto lanes = static_cast<std::size_t>(block.optics->lanes);
                          for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
@@ -128,26 +128,37 @@ void SolvedColumns::radiance(const SightLine& line, std::span<float> radiance) c
                        });
 }
 
-void SolvedColumns::radiance_parts(const SightLine& line, std::span<float> parts) const {
-  const std::size_t azimuths = line.relative_azimuth_deg.size();
-  SKYLUT_CHECK_EQ(parts.size(), this->parts() * azimuths * columns());
-  const auto [band, asked] = solution_->question(line);
+void SolvedColumns::radiance_parts(std::span<const SightLine> lines, std::span<float> parts) const {
+  if (lines.empty()) return;
+  const std::size_t azimuths = lines.front().relative_azimuth_deg.size();
+  const std::size_t size = this->parts() * azimuths * columns();
+  SKYLUT_CHECK_EQ(parts.size(), lines.size() * size);
+  std::vector<LineOfSight> asked;
+  const BandSolution* band = nullptr;
+  for (const SightLine& line : lines) {
+    SKYLUT_CHECK_EQ(line.relative_azimuth_deg.size(), azimuths);
+    SKYLUT_CHECK_EQ(line.sun_zenith_deg, lines.front().sun_zenith_deg);
+    auto [of_line, question] = solution_->question(line);
+    band = of_line;
+    asked.push_back(std::move(question));
+  }
   const std::size_t most = scatterers();
   std::fill(parts.begin(), parts.end(), 0.0f);
-  answer_line_of_sight(band->common(), asked, band->blocks(), Answer::parts,
-                       [&](const Block& block, std::span<const float> values) {
-                         const auto lanes = static_cast<std::size_t>(block.optics->lanes);
-                         const auto own = static_cast<std::size_t>(block.optics->scatterers);
-                         const auto copy = [&](std::size_t from, std::size_t to) {
-                           for (std::size_t i = 0; i < azimuths; ++i)
-                             for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
-                               parts[(to * azimuths + i) * columns() + block.columns[lane]] =
-                                   values[(from * azimuths + i) * lanes + lane];
-                         };
-                         for (std::size_t kind = 0; kind < 3; ++kind)
-                           for (std::size_t s = 0; s < own; ++s) copy(kind * own + s, kind * most + s);
-                         copy(3 * own, 3 * most);
-                       });
+  answer_in_parts(band->common(), asked, band->blocks(),
+                  [&](std::size_t line, const Block& block, std::span<const float> values) {
+                    const std::span<float> of_line = parts.subspan(line * size, size);
+                    const auto lanes = static_cast<std::size_t>(block.optics->lanes);
+                    const auto own = static_cast<std::size_t>(block.optics->scatterers);
+                    const auto copy = [&](std::size_t from, std::size_t to) {
+                      for (std::size_t i = 0; i < azimuths; ++i)
+                        for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
+                          of_line[(to * azimuths + i) * columns() + block.columns[lane]] =
+                              values[(from * azimuths + i) * lanes + lane];
+                    };
+                    for (std::size_t kind = 0; kind < 3; ++kind)
+                      for (std::size_t s = 0; s < own; ++s) copy(kind * own + s, kind * most + s);
+                    copy(3 * own, 3 * most);
+                  });
 }
 
 void SolvedColumns::part_factors(std::size_t column, double cos_scattering_angle,

@@ -35,8 +35,8 @@ class SolvedSky {
   void radiance(const SightLine& line, std::span<float> radiance) const;
 
   /// The parts of which, times their factors, it is the sum (see SolvedColumns); only parts that have a
-  /// factor somewhere. [part][azimuth][wavelength]
-  void radiance_parts(const SightLine& line, std::span<float> parts) const;
+  /// factor somewhere. [line][part][azimuth][wavelength]
+  void radiance_parts(std::span<const SightLine> lines, std::span<float> parts) const;
   std::size_t parts() const;
 
   /// The parts' factors by scattering angle, spectrally and as the eye sees them.

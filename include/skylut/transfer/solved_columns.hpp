@@ -50,9 +50,11 @@ class SolvedColumns {
   /// @throws InputError  for values out of range, or a sun whose band was not asked for
   void radiance(const SightLine& line, std::span<float> radiance) const;
 
-  /// @param parts  sr⁻¹, [part][azimuth][column]
+  /// The parts along several lines under one sun, as many azimuths each: neighbours in zenith angle together
+  /// cost much less than one by one.
+  /// @param parts  sr⁻¹, [line][part][azimuth][column]
   /// @throws  as radiance
-  void radiance_parts(const SightLine& line, std::span<float> parts) const;
+  void radiance_parts(std::span<const SightLine> lines, std::span<float> parts) const;
 
   /// What each part is multiplied by at a scattering angle: P_s, -Q1_s, Q2_s, 1. [part]
   void part_factors(std::size_t column, double cos_scattering_angle, std::span<double> factors) const;

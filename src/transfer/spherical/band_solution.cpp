@@ -80,31 +80,73 @@ void solve_field(const Context& context, const Work& work, Block& block) {
     throw WorkError("orders of scattering did not converge in {} iterations", kMostIterations);
 }
 
+namespace {
+
+/// A line of sight as the blocks of all grids see it.
+struct TracedLine {
+  RayGeometry geometry;
+  LocalSun local_sun;
+
+  TracedLine(const CommonGrid& common, const LineOfSight& line, int azimuthal_orders)
+      : geometry(common, line.observer_km, line.view_zenith_deg, line.pairs),
+        local_sun(common.shells.planet_radius_km, geometry.start(), line.pairs, common.sun_interpolation,
+                  azimuthal_orders) {}
+};
+
+int most_azimuthal_orders(std::span<const Block> blocks) {
+  int orders = 0;
+  for (const Block& block : blocks)
+    orders = std::max(orders, block.grid->discretisation.angles.azimuthal_orders());
+  return orders;
+}
+
+}  // namespace
+
 void answer_line_of_sight(const CommonGrid& common, const LineOfSight& line, std::span<const Block> blocks,
-                          Answer answer,
-                          const std::function<void(const Block&, std::span<const float>)>& keep) {
-  const RayGeometry geometry(common, line.observer_km, line.view_zenith_deg, line.pairs);
-  const auto runs = by_grid(blocks);
-  int azimuthal_orders = 0;
-  for (const std::span<const Block> run : runs)
-    azimuthal_orders = std::max(azimuthal_orders, run.front().grid->discretisation.angles.azimuthal_orders());
-  LocalSun local_sun(common.shells.planet_radius_km, geometry.start(), line.pairs, common.sun_interpolation,
-                     azimuthal_orders);
-  std::vector<float> values;
-  for (const std::span<const Block> run : runs) {
+                          const KeepRadiance& keep) {
+  TracedLine traced(common, line, most_azimuthal_orders(blocks));
+  std::vector<float> radiance;
+  for (const std::span<const Block> run : by_grid(blocks)) {
     const DiffuseRay diffuse(run.front().grid->discretisation, line.observer_km, line.view_zenith_deg,
-                             local_sun);
+                             traced.local_sun);
     for (const Block& block : run) {
       const BlockOptics& optics = *block.optics;
-      const std::size_t parts =
-          answer == Answer::radiance ? 1 : 3 * static_cast<std::size_t>(optics.scatterers) + 1;
-      values.resize(parts * line.pairs.size() * static_cast<std::size_t>(optics.lanes));
-      if (answer == Answer::radiance)
-        block.field->line_of_sight(geometry.view(), diffuse.view(), geometry.phases(optics).data(),
-                                   geometry.peaks(optics).data(), values.data());
-      else
-        block.field->parts_of_sight(geometry.view(), diffuse.view(), values.data());
-      keep(block, values);
+      radiance.resize(line.pairs.size() * static_cast<std::size_t>(optics.lanes));
+      block.field->line_of_sight(traced.geometry.view(), diffuse.view(),
+                                 traced.geometry.phases(optics).data(), traced.geometry.peaks(optics).data(),
+                                 radiance.data());
+      keep(block, radiance);
+    }
+  }
+}
+
+void answer_in_parts(const CommonGrid& common, std::span<const LineOfSight> lines,
+                     std::span<const Block> blocks, const KeepParts& keep) {
+  std::vector<std::unique_ptr<TracedLine>> traced;
+  std::vector<RayView> rays;
+  for (const LineOfSight& line : lines) {
+    traced.push_back(std::make_unique<TracedLine>(common, line, most_azimuthal_orders(blocks)));
+    rays.push_back(traced.back()->geometry.view());
+  }
+  std::vector<std::vector<float>> parts(lines.size());
+  for (const std::span<const Block> run : by_grid(blocks)) {
+    std::vector<std::unique_ptr<DiffuseRay>> diffuse;
+    std::vector<DiffuseRayView> views;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      diffuse.push_back(std::make_unique<DiffuseRay>(run.front().grid->discretisation, lines[i].observer_km,
+                                                     lines[i].view_zenith_deg, traced[i]->local_sun));
+      views.push_back(diffuse.back()->view());
+    }
+    for (const Block& block : run) {
+      const BlockOptics& optics = *block.optics;
+      std::vector<float*> to;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        parts[i].resize((3 * static_cast<std::size_t>(optics.scatterers) + 1) * lines[i].pairs.size() *
+                        static_cast<std::size_t>(optics.lanes));
+        to.push_back(parts[i].data());
+      }
+      block.field->parts_of_sights(static_cast<int>(lines.size()), rays.data(), views.data(), to.data());
+      for (std::size_t i = 0; i < lines.size(); ++i) keep(i, block, parts[i]);
     }
   }
 }

@@ -66,14 +66,17 @@ class BandSolution {
 /// @throws Cancelled  when the context asks to stop
 void solve_field(const Context& context, const Work& work, Block& block);
 
-/// What a block's columns show along a line of sight: values [part][pair][lane] of which the radiance has one
-/// part, and the amplitudes of SolvedBlock::parts_of_sight 3 × scatterers + 1.
-enum class Answer { radiance, parts };
+/// Takes what one block's columns show along a line of sight.
+using KeepRadiance = std::function<void(const Block& block, std::span<const float> radiance)>;
+using KeepParts = std::function<void(std::size_t line, const Block& block, std::span<const float> parts)>;
 
-/// Answers one line of sight from solved blocks.
-/// @param keep  called for every block: (block, values)
+/// Radiances along one line of sight from solved blocks. @param keep  gets them [pair][lane], block by block
 void answer_line_of_sight(const CommonGrid& common, const LineOfSight& line, std::span<const Block> blocks,
-                          Answer answer,
-                          const std::function<void(const Block&, std::span<const float>)>& keep);
+                          const KeepRadiance& keep);
+
+/// The radiances' parts along several lines of sight. @param keep  gets them as SolvedBlock::parts_of_sights
+/// gives them, block by block and line by line
+void answer_in_parts(const CommonGrid& common, std::span<const LineOfSight> lines,
+                     std::span<const Block> blocks, const KeepParts& keep);
 
 }  // namespace skylut::transfer

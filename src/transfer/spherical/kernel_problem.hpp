@@ -192,9 +192,10 @@ class SolvedBlock {
 
   /// The radiance in parts that know no phase function: Σ_i P_i A_i - Q1_i B_i + Q2_i C_i + D with the
   /// scatterers' amplitudes A, B, C (see single_scattering_amplitudes) and the diffuse light D, which may
-  /// undershoot 0 where line_of_sight clamps.
-  /// @param parts  sr⁻¹, [A of each scatterer, B of each, C of each, D][pair][lane]
-  virtual void parts_of_sight(const RayView& ray, const DiffuseRayView& diffuse, float* parts) const = 0;
+  /// undershoot 0 where line_of_sight clamps. Several lines at a time.
+  /// @param parts  sr⁻¹, [line] → [A of each scatterer, B of each, C of each, D][pair][lane]
+  virtual void parts_of_sights(int lines, const RayView* rays, const DiffuseRayView* diffuse,
+                               float* const* parts) const = 0;
 };
 
 /// Solves the diffuse field of one block; the views must outlive the result. The caller owns it.

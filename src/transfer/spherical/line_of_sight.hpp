@@ -58,6 +58,7 @@ struct RayScratch {
         peak_weight(static_cast<std::size_t>(diffuse.sources)),
         direction_weight(static_cast<std::size_t>(grid.moments)),
         source_azimuthal_orders(static_cast<std::size_t>(grid.sun_nodes * grid.azimuthal_orders)),
+        upper_orders(static_cast<std::size_t>(4 * grid.azimuthal_orders)),
         node_use(static_cast<std::size_t>(grid.sun_nodes)),
         radiance(static_cast<std::size_t>(ray.pairs)) {}
   LaneArray<V> far_depth;                // observer to point to sun, at the end of the last lit part [pair]
@@ -65,8 +66,28 @@ struct RayScratch {
   LaneArray<V> peak_weight;              // the same of the forward peak that is cut off [source]
   LaneArray<V> direction_weight;         // the same times Λ_lm(μ), at one source [moment]
   LaneArray<V> source_azimuthal_orders;  // [sun node][m]
+  LaneArray<V> upper_orders;             // the same at the upper level, of a few nodes
   LaneArray<NodeUse<V>> node_use;        // at one source [sun node]
   LaneArray<V> radiance;                 // [pair]
+};
+
+/// That of several lines.
+template <class V>
+class RayScratches {
+ public:
+  RayScratches(const SweepView& grid, int lines, const RayView* rays, const DiffuseRayView* diffuse)
+      : scratch_(static_cast<std::size_t>(lines)) {
+    for (int i = 0; i < lines; ++i) scratch_.data()[i] = new RayScratch<V>(grid, rays[i], diffuse[i]);
+  }
+  ~RayScratches() {
+    for (std::size_t i = 0; i < scratch_.size(); ++i) delete scratch_.data()[i];
+  }
+  RayScratches(const RayScratches&) = delete;
+  RayScratches& operator=(const RayScratches&) = delete;
+  RayScratch<V>& operator[](int line) { return *scratch_.data()[line]; }
+
+ private:
+  LaneArray<RayScratch<V>*> scratch_;
 };
 
 /// Goes along the lit parts of the line for all pairs. A point at the distance s scatters the beam that
@@ -212,6 +233,20 @@ inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const
   }
 }
 
+/// Σ_l w_lm M_lm for every azimuthal order, under several neighbouring sun nodes at a time, whose sums run
+/// beside each other while each waits for its last addition.
+template <class V, std::size_t kNodes>
+inline void orders_under_nodes(const SweepView& grid, const V* weight, const V* moments, V* orders) {
+  for (int m = 0; m < grid.azimuthal_orders; ++m) {
+    V sum[kNodes] = {};
+    for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i)
+      for (std::size_t node = 0; node < kNodes; ++node)
+        sum[node] += weight[i] * moments[static_cast<int>(node) * grid.moments + i];
+    for (std::size_t node = 0; node < kNodes; ++node)
+      orders[static_cast<int>(node) * grid.azimuthal_orders + m] = sum[node];
+  }
+}
+
 /// Contribution of one source point before its azimuth is known: azimuthal orders under the wanted sun nodes.
 /// [M3]
 template <class V>
@@ -226,25 +261,49 @@ inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView&
   const bool between = source.fraction > 0.0f && source.fraction < 1.0f;
   const int level = source.fraction < 1.0f ? source.sublayer : source.sublayer + 1;
   const bool grazes = field.horizon.wanted() && diffuse.horizon[at].near;
-  for (int node = 0; node < grid.sun_nodes; ++node) {
+  V* const upper = scratch.upper_orders.data();
+  for (int node = 0, count; node < grid.sun_nodes; node += count) {
+    count = 1;
     if (!scratch.node_use.data()[node].wanted) continue;
-    const V* lower = field.moments(level, node);
+    while (count < 4 && node + count < grid.sun_nodes && scratch.node_use.data()[node + count].wanted)
+      ++count;
     V* orders = scratch.source_azimuthal_orders.data() + node * grid.azimuthal_orders;
-    for (int m = 0; m < grid.azimuthal_orders; ++m) {
-      V sum{};
-      for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i) sum += direction[i] * lower[i];
-      orders[m] = sum;
-    }
+    const auto find = [&](int at_level, V* to) {
+      const V* moments = field.moments(at_level, node);
+      if (count == 4) return orders_under_nodes<V, 4>(grid, direction, moments, to);
+      if (count == 3) return orders_under_nodes<V, 3>(grid, direction, moments, to);
+      if (count == 2) return orders_under_nodes<V, 2>(grid, direction, moments, to);
+      orders_under_nodes<V, 1>(grid, direction, moments, to);
+    };
+    find(level, orders);
     if (between) {
-      const V* upper = field.moments(level + 1, node);
-      for (int m = 0; m < grid.azimuthal_orders; ++m) {
-        V sum{};
-        for (int i = grid.moment_offset[m]; i < grid.moment_offset[m + 1]; ++i)
-          sum += direction[i] * upper[i];
-        orders[m] += (sum - orders[m]) * source.fraction;
-      }
+      find(level + 1, upper);
+      for (int i = 0; i < count * grid.azimuthal_orders; ++i)
+        orders[i] += (upper[i] - orders[i]) * source.fraction;
     }
-    if (grazes) field.horizon.add(diffuse.horizon[at], node, scratch.peak_weight.data()[at], orders);
+    for (int i = 0; grazes && i < count; ++i)
+      field.horizon.add(diffuse.horizon[at], node + i, scratch.peak_weight.data()[at],
+                        orders + i * grid.azimuthal_orders);
+  }
+}
+
+/// Adds the light of one source point to every pair's radiance. [L3]
+template <class V>
+inline void add_source_light(const SweepView& grid, const RayView& ray, const DiffuseRayView& diffuse,
+                             const Solution<V>& field, int at, RayScratch<V>& scratch, V* out) {
+  const int stride = grid.azimuthal_orders;
+  const InterpolationWeights* suns = diffuse.sun_weights[at];
+  const float* azimuth = diffuse.azimuth_factor[at];
+  scratch.node_use.fill({});
+  for (int pair = 0; pair < ray.pairs; ++pair)
+    for (int t = 0; t < 4; ++t) scratch.node_use.data()[suns[pair].first + t].wanted = true;
+  source_azimuthal_orders(grid, diffuse, field, at, scratch);
+  for (int pair = 0; pair < ray.pairs; ++pair, azimuth += diffuse.azimuth_stride) {
+    const V* order = scratch.source_azimuthal_orders.data() + suns[pair].first * stride;
+    V at_node[4] = {};
+    for (int m = 0; m < stride; ++m)
+      for (int t = 0; t < 4; ++t) at_node[t] += order[t * stride + m] * azimuth[m];
+    for (int t = 0; t < 4; ++t) out[pair] += at_node[t] * suns[pair].weight[t];
   }
 }
 
@@ -254,22 +313,7 @@ inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, 
                                const DiffuseRayView& diffuse, const Solution<V>& field,
                                RayScratch<V>& scratch, V* out) {
   weigh_sources(grid, optics, diffuse, scratch);
-  const int stride = grid.azimuthal_orders;
-  for (int at = 0; at < diffuse.sources; ++at) {
-    const InterpolationWeights* suns = diffuse.sun_weights[at];
-    const float* azimuth = diffuse.azimuth_factor[at];
-    scratch.node_use.fill({});
-    for (int pair = 0; pair < ray.pairs; ++pair)
-      for (int t = 0; t < 4; ++t) scratch.node_use.data()[suns[pair].first + t].wanted = true;
-    source_azimuthal_orders(grid, diffuse, field, at, scratch);
-    for (int pair = 0; pair < ray.pairs; ++pair, azimuth += diffuse.azimuth_stride) {
-      const V* order = scratch.source_azimuthal_orders.data() + suns[pair].first * stride;
-      V at_node[4] = {};
-      for (int m = 0; m < stride; ++m)
-        for (int t = 0; t < 4; ++t) at_node[t] += order[t * stride + m] * azimuth[m];
-      for (int t = 0; t < 4; ++t) out[pair] += at_node[t] * suns[pair].weight[t];
-    }
-  }
+  for (int at = 0; at < diffuse.sources; ++at) add_source_light(grid, ray, diffuse, field, at, scratch, out);
 }
 
 /// Adds the light of the ground at the ray's end. [L4]

@@ -32,23 +32,36 @@ class SolvedLanes final : public SolvedBlock {
       store(without_undershoot(out[pair]), radiance + pair * kLaneCount<V>);
   }
 
-  /// The same in parts: the amplitudes of L1 and L5, then L3 + L4.
-  void parts_of_sight(const RayView& ray, const DiffuseRayView& diffuse, float* parts) const override {
+  /// The same in parts, of several lines: the amplitudes of L1 and L5, then L3 + L4. The field is larger than
+  /// a processor's caches; so the lines take its light level by level, all of them together.
+  void parts_of_sights(int lines, const RayView* rays, const DiffuseRayView* diffuse,
+                       float* const* parts) const override {
     const SweepView& grid = solution_.grid;
-    RayScratch<V> scratch(grid, ray, diffuse);
+    RayScratches<V> scratch(grid, lines, rays, diffuse);
+    for (int i = 0; i < lines; ++i) weigh_sources(grid, optics_, diffuse[i], scratch[i]);
+    for (int sublayer = 0; sublayer < grid.sublayers; ++sublayer)
+      for (int i = 0; i < lines; ++i)
+        for (int at = 0; at < diffuse[i].sources; ++at)
+          if (diffuse[i].source[at].sublayer == sublayer)
+            add_source_light(grid, rays[i], diffuse[i], solution_, at, scratch[i],
+                             scratch[i].radiance.data());
+    for (int i = 0; i < lines; ++i) finish_parts(rays[i], diffuse[i], scratch[i], parts[i]);
+  }
+
+ private:
+  void finish_parts(const RayView& ray, const DiffuseRayView& diffuse, RayScratch<V>& scratch,
+                    float* parts) const {
     const std::size_t amplitudes = static_cast<std::size_t>(3 * optics_.scatterers * ray.pairs);
     LaneArray<V> amplitude(amplitudes);
-    single_scattering_amplitudes(grid, optics_, ray, slant_depth_, slant_peak_depth_, scratch,
+    single_scattering_amplitudes(solution_.grid, optics_, ray, slant_depth_, slant_peak_depth_, scratch,
                                  amplitude.data());
     V* out = scratch.radiance.data();
-    diffuse_scattering(grid, optics_, ray, diffuse, solution_, scratch, out);
     if (ray.hits_ground) ground_in_view(optics_, ray, diffuse, slant_depth_, solution_, out);
     for (std::size_t i = 0; i < amplitudes; ++i) store(amplitude.data()[i], parts + i * kLaneCount<V>);
     for (int pair = 0; pair < ray.pairs; ++pair)
       store(out[pair], parts + (amplitudes + static_cast<std::size_t>(pair)) * kLaneCount<V>);
   }
 
- private:
   OpticsView optics_;
   SlantDepthToSun<V> slant_depth_;
   SlantDepthToSun<V> slant_peak_depth_;  // of the forward peak that delta-M cuts off

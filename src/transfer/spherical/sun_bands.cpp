@@ -18,7 +18,7 @@ struct Band {
   double margin_deg;
 };
 constexpr Band kBands[] = {{25.0, 1.0}, {52.0, 1.0}, {72.0, 1.0}, {82.0, 2.0},
-                           {87.5, 3.0}, {91.0, 3.0}, {94.0, 6.0}, {domain::kSunZenith_deg.highest, 7.0}};
+                           {87.5, 3.5}, {91.0, 3.0}, {94.0, 6.0}, {domain::kSunZenith_deg.highest, 7.0}};
 /// And as many nodes more as interpolation reaches to.
 constexpr std::ptrdiff_t kNodesBelow = 1;
 constexpr std::ptrdiff_t kNodesAbove = 2;
