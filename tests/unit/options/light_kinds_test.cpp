@@ -1,4 +1,4 @@
-#include "cli/light_kinds.hpp"
+#include "options/light_kinds.hpp"
 
 #include <gtest/gtest.h>
 
