@@ -59,6 +59,13 @@ TEST(Time, IsWrittenInUtc) {
   EXPECT_NE(refusal(day(), "2024-02-30"), "read");
 }
 
+TEST(TimeOrSteps, IsWhicheverWasWritten) {
+  EXPECT_EQ(again(time_or_steps(), "2024-06-21T06:00+02:00"), "2024-06-21T04:00:00Z");
+  EXPECT_EQ(again(time_or_steps(), "2024-06-21T06:00Z/2024-06-21T07:00Z/30min"),
+            "2024-06-21T06:00:00Z/2024-06-21T07:00:00Z/30min");
+  EXPECT_NE(refusal(one_time(), "2024-06-21T06:00Z/2024-06-21T07:00Z/30min"), "");
+}
+
 TEST(TimeSteps, AreWrittenInUtc) {
   EXPECT_EQ(again(time_steps(), "2024-06-21T06:00+02:00/2024-06-21T20:00Z/PT15M"),
             "2024-06-21T04:00:00Z/2024-06-21T20:00:00Z/15min");

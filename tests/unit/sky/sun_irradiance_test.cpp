@@ -179,7 +179,7 @@ TEST(SunIrradiance, DistanceAndThreads) {
   scene.sun_distance_au = 1.02;
   const SunIrradiance far = simulate_sun(one, scene, {}, {});
   EXPECT_NEAR(mean.direct_normal[0] / far.direct_normal[0], 1.02 * 1.02, 1e-12);
-  EXPECT_NEAR(mean.diffuse_horizontal[0] / far.diffuse_horizontal[0], 1.02 * 1.02, 1e-12);
+  EXPECT_NEAR(mean.diffuse_horizontal[0] / far.diffuse_horizontal[0], 1.02 * 1.02, 1e-6);  // of floats
 }
 
 // All of the sun's light above the air: about 133 klx (solar illuminance constant 133.1 klx for ASTM G-173's
