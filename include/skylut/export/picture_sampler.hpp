@@ -26,7 +26,7 @@ class DiscPixels;
 ///
 /// A sun's disc adds its light to the pixels that hold it: whatever their size, ∫ L dω over them is the
 /// disc's direct normal irradiance (to rounding). Of a disc that is many pixels wide single pixels are right
-/// to some 10 %.
+/// to 3 %, in pictures of more than 4096 rows to some 10 %.
 ///
 /// The sky and the projection must outlive the sampler. Calls may run in parallel.
 class PictureSampler {
