@@ -65,10 +65,9 @@ void SunOption::put_into(SkyScene& scene, const SceneOptions& place) {
 
 SunSeries SunOption::series(const SceneOptions& place, double sun_distance_au) const {
   require_alone();
-  const SunSeries series = suns_
-                               ? sun_series(*suns_, sun_distance_au)
-                               : sun_series(place_of(place), times_ ? read_times_csv(*times_)
-                                                                    : times_of(std::get<TimeSteps>(*time_)));
+  SunSeries series = suns_ ? sun_series(*suns_, sun_distance_au)
+                           : sun_series(place_of(place), times_ ? read_times_csv(*times_)
+                                                                : times_of(std::get<TimeSteps>(*time_)));
   if (series.frames.empty())
     throw InputError("{}: {} suns, all more than {} deg from the zenith (night)", chosen(), series.too_dark,
                      domain::kSunZenith_deg.highest);

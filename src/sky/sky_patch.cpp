@@ -28,7 +28,7 @@ void sum_series(std::span<const float> row, std::size_t width, double cos_azimut
 }  // namespace
 
 SkyPatch::SkyPatch(ZenithPanel panel, int points, int azimuths)
-    : panel_(std::move(panel)), x_(lobatto_points(points)), azimuths_(azimuths) {
+    : panel_(panel), x_(lobatto_points(points)), azimuths_(azimuths) {
   for (int k = 0; k < azimuths; ++k) azimuth_deg_.push_back(azimuths == 1 ? 0.0 : 180.0 * k / (azimuths - 1));
 }
 
