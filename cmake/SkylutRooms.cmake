@@ -19,7 +19,7 @@ set(SKYLUT_USES_export core site atmosphere colour sky)
 set(SKYLUT_USES_compare core colour models fit table)
 set(SKYLUT_USES_report core scattering atmosphere sky fit table export)
 set(SKYLUT_USES_cases core scattering atmosphere transfer)
-set(SKYLUT_USES_options core)
+set(SKYLUT_USES_options core site)
 set(SKYLUT_USES_cli
   core site profile scattering atmosphere transfer colour sky models fit table export compare report cases options)
 

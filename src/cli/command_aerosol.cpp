@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "light_kinds.hpp"
 #include "options/file_kinds.hpp"
+#include "options/light_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "program_context.hpp"
 #include "skylut/core/constants.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "light_kinds.hpp"
 #include "options/file_kinds.hpp"
+#include "options/light_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
 #include "program_context.hpp"

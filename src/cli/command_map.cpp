@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,17 +10,16 @@
 
 #include "advice.hpp"
 #include "commands.hpp"
+#include "map_pictures.hpp"
 #include "memory.hpp"
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
 #include "picture_options.hpp"
 #include "scene_options.hpp"
-#include "sky_choice.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/export/directions_csv.hpp"
 #include "skylut/export/sky_csv.hpp"
-#include "skylut/sky/solved_sky.hpp"
 #include "sun_option.hpp"
 
 namespace skylut::cli {
@@ -36,6 +36,7 @@ struct MapOptions {
   SunOption sun;
   std::optional<std::string> directions;  // of numbers
   PictureRequest picture;
+  std::optional<std::int64_t> frame;
 };
 
 bool is_picture(const MapOptions& options) { return ending_of(options.out) == ".exr"; }
@@ -58,6 +59,7 @@ SkyScene scene_of(const Context& context, MapOptions& options) {
   SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
+  if (options.sun.is_series()) return scene;
   options.sun.put_into(scene, options.scene);
   options.sun.require_above(domain::kSunZenith_deg.highest, scene.suns.front(),
                             "the sky's light ends at 96 deg (night)");
@@ -103,6 +105,7 @@ void print_facts(const SkyMap& map, const SkyScene& scene) {
 
 void write_csv(const Context& context, const MapOptions& options, SkyScene scene,
                const std::string& command) {
+  if (options.sun.is_series()) throw InputError("--time START/END/STEP: is for .exr files");
   scene.directions = directions_of(*options.directions);
   scene.directions_name = *options.directions;
   require_writable("-o", options.out);
@@ -113,21 +116,29 @@ void write_csv(const Context& context, const MapOptions& options, SkyScene scene
   fmt::print("wrote {}\n", options.out.string());
 }
 
-void write_exr(const Context& context, const MapOptions& options, SkyScene scene,
-               const std::string& command) {
-  options.picture.check(options.out);
+// Pictures of one sun, or of many.
+void write_exr(const Context& context, MapOptions& options, SkyScene scene, const OptionSet& given) {
+  SunSeries series;
+  if (options.sun.is_series()) {
+    series = options.sun.series(options.scene, scene.sun_distance_au);
+  } else {
+    series.frames.push_back({1, std::nullopt, scene.suns.front(), scene.sun_distance_au});
+    if (options.frame) throw InputError("--frame: needs --suns, --times or --time START/END/STEP");
+  }
+  scene.suns.clear();
+  for (const SunFrame& frame : series.frames) scene.suns.push_back(frame.sun);
+  scene.sun_distance_au = 1.0;
   scene.directions_name = options.picture.projection();
   advise_on_turbidity(scene.turbidities, *scene.atmosphere);
   advise_on_wavelengths(context, scene.wavelengths);
-  const auto solved = std::make_shared<const SolvedSky>(context, scene, options.scene.transfer());
-  PictureLabels labels{options.altitude_km, scene.turbidities.front(),
-                       options.scene.provenance(context, scene, command)};
-  const std::unique_ptr<SkyLight> sky =
-      sky_light(context, options.scene, solved, options.altitude_km, scene, labels.provenance);
-  fmt::print("altitude {} km, sun {:.6g}:{:.6g} deg, {} wavelengths\n", options.altitude_km,
-             sky->sun().zenith_deg, sky->sun().azimuth_deg, scene.wavelengths.size());
-  fmt::print("{}\n", turbidity_text(scene.turbidities.front(), *scene.atmosphere));
-  options.picture.write(context, options.out, *sky, labels);
+  const PictureJob job{options.scene,
+                       options.picture,
+                       std::move(scene),
+                       options.out,
+                       options.sun.times_file().value_or(fs::path()),
+                       given.command_line("skylut map")};
+  if (!options.sun.is_series()) return write_picture(context, job, series.frames.front());
+  write_series(context, job, series, static_cast<std::size_t>(options.frame.value_or(0)));
 }
 
 void run(MapOptions& options, const OptionSet& given) {
@@ -135,9 +146,8 @@ void run(MapOptions& options, const OptionSet& given) {
   settle(options, given);
   const Context context = options.scene.context();
   const SkyScene scene = scene_of(context, options);
-  const std::string command = given.command_line("skylut map");
-  if (is_picture(options)) return write_exr(context, options, scene, command);
-  write_csv(context, options, scene, command);
+  if (is_picture(options)) return write_exr(context, options, scene, given);
+  write_csv(context, options, scene, given.command_line("skylut map"));
 }
 
 }  // namespace
@@ -149,11 +159,13 @@ Command map_command() {
   command.summary = "simulate one sky, as numbers (.csv) or a picture (.exr)";
   command.notes =
       "A picture of several kinds of channels goes to sky_rgb.exr, sky_spectral.exr and so on, faces to "
-      "sky_px.exr.";
+      "sky_px.exr. A series (--time START/END/STEP, --times, --suns) goes to sky_0001.exr and so on, with "
+      "sky.csv.";
   command.examples = {
       "skylut map -o sky.csv --sun-zenith-deg 45 --turbidity 0.2",
       "skylut map -o sky.exr --sun-zenith-deg 85 --altitude-km 12 --size 64 --channels rgb,spectral",
-      "skylut map -o sky.exr --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z"};
+      "skylut map -o sky.exr --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z",
+      "skylut map -o sky.exr --sun disc --suns 45:90,60:100,75:110 --size 64"};
   OptionSet& set = command.options;
   Option& out =
       set.add("--output", options->out, file_named({".csv", ".exr"}), "file to write: .csv or .exr");
@@ -163,10 +175,14 @@ Command map_command() {
   set.add("--altitude-km", options->altitude_km, number(domain::kObserver_km),
           "of the observer above the ground, 0 to 30");
   add_turbidity(set, options->turbidity);
-  options->sun.add_to(set, domain::kSunZenith_deg);
+  options->sun.add_to(set, domain::kSunZenith_deg, time_or_steps());
   set.add("--directions", options->directions, name_or_file(),
           "utm271 (default), preetham343 or a CSV file (for .csv)");
   options->picture.add_to(set);
+  options->sun.add_series_to(set);
+  set.add("--frame", options->frame, whole_number({1.0, domain::kMostFrames, ""}),
+          "of a series, this one alone")
+      .recorded = false;
   options->scene.add_to(set);
   command.run = [options](const OptionSet& given) { run(*options, given); };
   return command;

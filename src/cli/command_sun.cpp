@@ -6,8 +6,8 @@
 
 #include "advice.hpp"
 #include "commands.hpp"
-#include "light_kinds.hpp"
 #include "options/file_kinds.hpp"
+#include "options/light_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
 #include "scene_options.hpp"

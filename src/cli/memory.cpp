@@ -20,8 +20,7 @@ constexpr double kRadiance = 4.0;
 constexpr double kMapDirection = 100.0;  // direction, colour, a line in the view set
 constexpr double kColumn = 250e3;        // one optical column: layers, mostly tables of phase functions
 constexpr double kColumnsPerBand = 1.3;  // where lines absorb a band has several
-constexpr double kPictureChannels = 3.0 * 4.0;
-constexpr double kUsable = 0.9;  // the rest is the program's and the system's
+constexpr double kUsable = 0.9;          // the rest is the program's and the system's
 
 std::string gigabytes(double bytes) {
   return bytes < 1e10 ? fmt::format("{:.1f} GB", bytes * 1e-9) : fmt::format("{:.0f} GB", bytes * 1e-9);
@@ -39,9 +38,7 @@ double needed_bytes(const RequestSize& size) {
   const double maps = size.altitudes * size.turbidities * size.suns;
   // The solver answers every sun's views under every sun.
   const double solved = columns * size.altitudes * size.suns * (size.suns * size.directions) * kRadiance;
-  const double file = size.spectral_file ? size.wavelengths * kRadiance : 0.0;
-  return solved + columns * kColumn +
-         maps * size.directions * (size.wavelengths * kRadiance + kMapDirection + kPictureChannels + file);
+  return solved + columns * kColumn + maps * size.directions * (size.wavelengths * kRadiance + kMapDirection);
 }
 
 double available_bytes() {
@@ -74,20 +71,6 @@ void require_memory(const RequestSize& size) {
     fitting.*longest.first = fits = std::floor(0.9 * fits);
   throw InputError("{}: {} values: {}: at most {:.0f} fit", longest.second, count, refusal(needed, available),
                    fits);
-}
-
-void require_memory_for_picture(int height, const RequestSize& size_of_rest) {
-  const auto with_height = [&](double pixels) {
-    RequestSize size = size_of_rest;
-    size.directions = 2.0 * pixels * pixels;
-    return size;
-  };
-  const double available = available_bytes();
-  const double needed = needed_bytes(with_height(height));
-  if (needed <= available) return;
-  int fits = height;
-  while (fits > 2 && needed_bytes(with_height(fits)) > available) fits = fits * 9 / 10;
-  throw InputError("--size {}: {}: {} fits", height, refusal(needed, available), fits);
 }
 
 }  // namespace skylut::cli

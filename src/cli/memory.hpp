@@ -13,7 +13,6 @@ struct RequestSize {
   double turbidities = 1;
   double altitudes = 1;
   double suns = 1;
-  bool spectral_file = false;  ///< a file with every wavelength is made in memory
 };
 
 /// About how much memory the simulation of it holds at the same time, bytes.
@@ -25,8 +24,5 @@ double available_bytes();
 /// Refuses skies that do not fit, naming the list that is longest for what it costs and how much of it fits.
 /// @throws InputError
 void require_memory(const RequestSize& size);
-
-/// The same for a picture. @throws InputError  naming --size and a size that fits
-void require_memory_for_picture(int height, const RequestSize& size_of_rest);
 
 }  // namespace skylut::cli

@@ -27,6 +27,11 @@ Kind<SkyPart> part_kind() {
   return choice<SkyPart>({{"full", SkyPart::sphere}, {"half", SkyPart::hemisphere}});
 }
 
+Kind<SunPicture> sun_kind() {
+  return choice<SunPicture>(
+      {{"off", SunPicture::off}, {"disc", SunPicture::disc}, {"file", SunPicture::file}});
+}
+
 Kind<SkyChannels> channels_kind() {
   return choice<SkyChannels>({{"rgb", SkyChannels::rgb},
                               {"xyz", SkyChannels::xyz},
@@ -47,6 +52,8 @@ void PictureRequest::add_to(OptionSet& set) {
   set.add("--size", size_, whole_number(domain::kPictureSize_pixels),
           "height in pixels, default 256; of a cube, of one face");
   set.add("--sky", part_, part_kind(), "full or half: above the horizon (default of the fisheyes)");
+  set.add("--sun", sun_, sun_kind(),
+          "its disc: off (default), disc: in the sky, or file: alone in sky_sun.exr beside it");
   set.add("--channels", channels_, choice_list(channels_kind()),
           "rgb (default), xyz, luminance, spectral or several: rgb,spectral");
   set.add("--rgb-space", rgb_space_, rgb_space_kind(), "rec709 (default), rec2020, p3, acescg or aces2065-1");
@@ -64,6 +71,7 @@ void PictureRequest::settle() {
   projection_ = projection_.value_or("latlong");
   size_ = size_.value_or(256);
   part_ = part_.value_or(default_part(*projection_));
+  sun_ = sun_.value_or(SunPicture::off);
   channels_ = channels_.value_or(std::vector{SkyChannels::rgb});
   rgb_space_ = rgb_space_.value_or("rec709");
   adaptation_ = adaptation_.value_or(WhiteAdaptation::bradford);
@@ -80,21 +88,24 @@ void PictureRequest::check(const fs::path& out) const {
 }
 
 PictureOptions PictureRequest::options() const {
-  return {{*projection_, static_cast<int>(*size_), part_}, *channels_, *rgb_space_, *adaptation_};
+  return {{*projection_, static_cast<int>(*size_), part_}, *channels_, *rgb_space_, *adaptation_, *sun_};
 }
 
-void PictureRequest::write(const Context& context, const fs::path& out, const SkyLight& sky,
-                           const PictureLabels& labels) const {
+std::string PictureRequest::write(const Context& context, const fs::path& out,
+                                  const std::optional<fs::path>& preview_file, const SkyLight& sky,
+                                  const SunDisc* disc, const PictureLabels& labels) const {
   Preview preview;
   std::vector<FileText> also;
-  if (preview_) {
+  if (preview_file) {
     const ProjectionChoice choice{*projection_, static_cast<int>(*preview_size_), part_};
-    preview = make_preview(context, sky, {choice, preview_grey_cd_m2_}, labels.provenance);
-    also.push_back({*preview_, preview.png});
+    preview = make_preview(context, sky, {choice, preview_grey_cd_m2_}, labels.provenance,
+                           sun() == SunPicture::disc ? disc : nullptr);
+    also.push_back({*preview_file, preview.png});
   }
-  const PictureSummary summary = write_pictures(context, out, sky, options(), labels, also);
-  fmt::print("{}", picture_report(summary, *rgb_space_));
-  if (preview_) fmt::print("wrote {}: {}\n", preview_->string(), preview.description);
+  const PictureSummary summary = write_pictures(context, out, sky, options(), labels, disc, also);
+  std::string report = picture_report(summary, *rgb_space_);
+  if (preview_file) report += fmt::format("wrote {}: {}\n", preview_file->string(), preview.description);
+  return report;
 }
 
 }  // namespace skylut::cli

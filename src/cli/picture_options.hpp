@@ -20,32 +20,37 @@ class PictureRequest {
  public:
   static constexpr const char* kGroup = "Picture (.exr)";
 
-  /// Adds --projection, --size, --sky, --channels, --rgb-space, --rgb-adaptation, --preview, --preview-size
-  /// and
-  /// --preview-grey-cd-m2 under kGroup.
+  /// Adds --projection, --size, --sky, --sun, --channels, --rgb-space, --rgb-adaptation, --preview,
+  /// --preview-size and --preview-grey-cd-m2 under kGroup.
   void add_to(OptionSet& options);
 
   /// Gives what was not given its default, so that it is recorded.
   void settle();
 
   /// @throws InputError  naming the option: a hemisphere of a cube, preview options without --preview, a file
-  /// that
-  ///                     cannot be written
+  ///                     that cannot be written
   void check(const std::filesystem::path& out) const;
 
   PictureOptions options() const;
 
   const std::string& projection() const { return *projection_; }
+  SunPicture sun() const { return *sun_; }
+  /// Whether its frames have too little work for all threads each.
+  bool small() const { return *size_ <= 1024; }
 
-  /// Writes the pictures and the preview, which take their names together, and says on the screen what they
-  /// are.
-  void write(const Context& context, const std::filesystem::path& out, const SkyLight& sky,
-             const PictureLabels& labels) const;
+  /// Writes the pictures and the preview, which take their names together.
+  /// @param preview  its name here
+  /// @return         what they are, for the screen
+  std::string write(const Context& context, const std::filesystem::path& out,
+                    const std::optional<std::filesystem::path>& preview, const SkyLight& sky,
+                    const SunDisc* disc, const PictureLabels& labels) const;
+  const std::optional<std::filesystem::path>& preview() const { return preview_; }
 
  private:
   std::optional<std::string> projection_;
   std::optional<std::int64_t> size_;
   std::optional<SkyPart> part_;
+  std::optional<SunPicture> sun_;
   std::optional<std::vector<SkyChannels>> channels_;
   std::optional<std::string> rgb_space_;
   std::optional<WhiteAdaptation> adaptation_;

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "options/number_kinds.hpp"
-#include "progress.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/report/progress.hpp"
 
 namespace skylut::cli {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "advice.hpp"
-#include "light_kinds.hpp"
 #include "options/file_kinds.hpp"
+#include "options/light_kinds.hpp"
 #include "options/number_kinds.hpp"
 
 namespace skylut::cli {

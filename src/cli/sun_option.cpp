@@ -1,18 +1,55 @@
 #include "sun_option.hpp"
 
-#include "light_kinds.hpp"
+#include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
 
 namespace skylut::cli {
 
-void SunOption::add_to(OptionSet& options, const Range& zenith) {
+void SunOption::add_to(OptionSet& options, const Range& zenith, const Kind<TimeOrSteps>& time) {
   options.add("--sun-zenith-deg", zenith_deg_, number(zenith),
               fmt::format("of the sun, 0 to {}", zenith.highest));
   options.add("--sun-azimuth-deg", azimuth_deg_, azimuth(), "of the sun, clockwise from north; default: 180");
-  options.add("--time", time_, time_of_day(), "instead of the sun's angles, with a place: 2024-06-21T09:00Z");
+  options.add("--time", time_, time, "instead of the sun's angles, with a place: 2024-06-21T09:00Z");
+}
+
+void SunOption::add_series_to(OptionSet& options) {
+  options.add("--suns", suns_, suns(),
+              "numbered pictures: a list of suns, zenith angle:azimuth, 45:90,60:100");
+  options.add("--times", times_, file_in(), "the same by the column time of a CSV file, with a place");
+}
+
+bool SunOption::is_series() const {
+  return suns_ || times_ || (time_ && std::holds_alternative<TimeSteps>(*time_));
+}
+
+std::string SunOption::chosen() const {
+  if (time_) return "--time " + time_or_steps().write(*time_);
+  if (times_) return "--times " + times_->string();
+  return suns_ ? "--suns" : "";
+}
+
+void SunOption::require_alone() const {
+  const std::string sun = chosen();
+  if (sun.empty()) return;
+  const auto refuse = [&sun](bool given, const char* other) {
+    if (given) throw InputError("{}: gives the sun, must not be given with {}", sun, other);
+  };
+  refuse(zenith_deg_.has_value(), "--sun-zenith-deg");
+  refuse(azimuth_deg_.has_value(), "--sun-azimuth-deg");
+  refuse(time_ && times_, "--times");
+  refuse((time_ || times_) && suns_, "--suns");
+}
+
+Place SunOption::place_of(const SceneOptions& place) const {
+  if (place.date()) throw InputError("{}: gives the date, must not be given with --date", chosen());
+  const std::optional<Place> where = place.air().place();
+  if (!where || !place.air().has_longitude())
+    throw InputError("{}: needs --latitude and --longitude", chosen());
+  return *where;
 }
 
 void SunOption::put_into(SkyScene& scene, const SceneOptions& place) {
+  require_alone();
   if (!time_) {
     if (!zenith_deg_)
       throw InputError("no sun: give --sun-zenith-deg, or --latitude, --longitude and --time");
@@ -20,23 +57,26 @@ void SunOption::put_into(SkyScene& scene, const SceneOptions& place) {
     scene.suns = {{*zenith_deg_, *azimuth_deg_}};
     return;
   }
-  const std::string time = format_time(*time_);
-  if (place.date()) throw InputError("--time {}: gives the date, must not be given with --date", time);
-  if (zenith_deg_ || azimuth_deg_)
-    throw InputError("--time {}: gives the sun, must not be given with {}", time,
-                     zenith_deg_ ? "--sun-zenith-deg" : "--sun-azimuth-deg");
-  const std::optional<Place> where = place.air().place();
-  if (!where || !place.air().has_longitude())
-    throw InputError("--time {}: needs --latitude and --longitude", time);
-  scene.suns = {sun_direction(*where, *time_)};
-  scene.time = time;
-  scene.sun_distance_au = earth_sun_distance_au(*time_);
+  const auto& time = std::get<UtcTime>(*time_);
+  scene.suns = {sun_direction(place_of(place), time)};
+  scene.time = format_time(time);
+  scene.sun_distance_au = earth_sun_distance_au(time);
+}
+
+SunSeries SunOption::series(const SceneOptions& place, double sun_distance_au) const {
+  require_alone();
+  SunSeries series = suns_ ? sun_series(*suns_, sun_distance_au)
+                           : sun_series(place_of(place), times_ ? read_times_csv(*times_)
+                                                                : times_of(std::get<TimeSteps>(*time_)));
+  if (series.frames.empty())
+    throw InputError("{}: {} suns, all more than {} deg from the zenith (night)", chosen(), series.too_dark,
+                     domain::kSunZenith_deg.highest);
+  return series;
 }
 
 void SunOption::require_above(double lowest_sun_deg, const Direction& sun, const char* limit) const {
   if (sun.zenith_deg <= lowest_sun_deg) return;
-  const std::string what =
-      time_ ? "--time " + format_time(*time_) : fmt::format("--sun-zenith-deg {}", sun.zenith_deg);
+  const std::string what = time_ ? chosen() : fmt::format("--sun-zenith-deg {}", sun.zenith_deg);
   throw InputError("{}: the sun is {:.2f} deg from the zenith: {}", what, sun.zenith_deg, limit);
 }
 

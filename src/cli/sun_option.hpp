@@ -1,23 +1,39 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "options/light_kinds.hpp"
 #include "options/options.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/domain.hpp"
+#include "skylut/site/sun_series.hpp"
 
 namespace skylut::cli {
 
-/// Where the sun stands: by its angles, or by place and time, which give its distance too.
+/// Where the sun stands: by its angles, or by place and time, which give its distance too. Or many suns, one
+/// after the other.
 class SunOption {
  public:
   /// Adds --sun-zenith-deg, --sun-azimuth-deg and --time.
   /// @param zenith  what the zenith angle may be
-  void add_to(OptionSet& options, const Range& zenith);
+  /// @param time    a moment, or time_or_steps()
+  void add_to(OptionSet& options, const Range& zenith, const Kind<TimeOrSteps>& time = one_time());
+  /// Adds --suns and --times.
+  void add_series_to(OptionSet& options);
+
+  bool is_series() const;
+  /// The file that times were read from.
+  const std::optional<std::filesystem::path>& times_file() const { return times_; }
 
   /// Puts the sun, and with a time its distance, into a scene.
   /// @throws InputError  no sun, two suns, a time without place
   void put_into(SkyScene& scene, const SceneOptions& place);
+
+  /// The suns of a series. @param sun_distance_au  of those that are given by their angles
+  /// @throws InputError  as put_into(); none of them lights a sky
+  SunSeries series(const SceneOptions& place, double sun_distance_au) const;
 
   /// Refuses a sun that is too low for what is asked of it.
   /// @param limit  "diffuse light ends at 96 deg, use --no-diffuse"
@@ -25,9 +41,16 @@ class SunOption {
   void require_above(double lowest_sun_deg, const Direction& sun, const char* limit) const;
 
  private:
+  /// As it was typed, unless the sun is given by its angles.
+  std::string chosen() const;
+  void require_alone() const;
+  Place place_of(const SceneOptions& place) const;
+
   std::optional<double> zenith_deg_;
   std::optional<double> azimuth_deg_;
-  std::optional<UtcTime> time_;
+  std::optional<TimeOrSteps> time_;
+  std::optional<std::filesystem::path> times_;
+  std::optional<std::vector<Direction>> suns_;
 };
 
 }  // namespace skylut::cli

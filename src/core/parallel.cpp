@@ -7,8 +7,10 @@
 
 namespace skylut {
 
+int thread_count(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
+
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {
-  if (threads <= 0) threads = tbb::info::default_concurrency();
+  threads = thread_count(threads);
   if (threads == 1 || count <= 1) {
     for (std::size_t i = 0; i < count; ++i) task(i);
     return;

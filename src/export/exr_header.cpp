@@ -35,7 +35,8 @@ class Attributes {
   Imf::Header& header_;
 };
 
-void describe_sky(Attributes& add, const SkyLight& sky, const PictureLabels& labels) {
+void describe_sky(Attributes& add, const SkyLight& sky, const PictureLabels& labels,
+                  const std::string& sun_disc) {
   add.text("skylutVersion", kVersion);
   add.number("skyAltitudeKm", labels.altitude_km);
   add.number("skyTurbidity", labels.turbidity.value);
@@ -43,7 +44,7 @@ void describe_sky(Attributes& add, const SkyLight& sky, const PictureLabels& lab
   add.number("skySunZenithDeg", sky.sun().zenith_deg);
   add.number("skySunAzimuthDeg", sky.sun().azimuth_deg);
   add.number("skyHorizonZenithDeg", sky.horizon_zenith_deg());
-  add.text("skySunDisc", "not included");
+  add.text("skySunDisc", sun_disc);
   add.text("skylutCommand", labels.provenance.command());
   add.text("skylutProvenance", labels.provenance.json().dump());
 }
@@ -90,10 +91,11 @@ std::vector<std::string> channel_names(SkyChannels channels, const WavelengthGri
 }
 
 Imf::Header exr_header(SkyChannels channels, const Projection& projection, const SkyLight& sky,
-                       const PictureOptions& options, const PictureLabels& labels) {
+                       const PictureOptions& options, const PictureLabels& labels,
+                       const std::string& sun_disc) {
   Imf::Header header(projection.width(), projection.height());
   Attributes add(header);
-  describe_sky(add, sky, labels);
+  describe_sky(add, sky, labels, sun_disc);
   describe_picture(add, projection);
   if (channels == SkyChannels::rgb || channels == SkyChannels::spectral)
     describe_rgb(header, add, options);

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "skylut/core/check.hpp"
+#include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/sky/sky_irradiance.hpp"
 
 namespace skylut {
 
@@ -18,6 +22,12 @@ std::filesystem::path frame_file(const std::filesystem::path& name, std::size_t 
   numbered.replace_filename(
       fmt::format("{}_{:0{}}{}", name.stem().string(), index, digits, name.extension().string()));
   return numbered;
+}
+
+FrameRow frame_row(const SunFrame& frame, const SkyLight& sky, const SunDisc& disc, std::string file) {
+  const double direct_lux = disc.illuminance().Y;
+  const double cosine = std::max(0.0, std::cos(frame.sun.zenith_deg * kRadiansPerDegree));
+  return {frame, direct_lux, cosine * direct_lux, diffuse_horizontal_illuminance(sky).Y, std::move(file)};
 }
 
 std::string frames_csv(std::span<const FrameRow> rows, const Provenance& provenance) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "export/disc_pixels.hpp"
 #include "export/pixel_pieces.hpp"
 #include "skylut/core/check.hpp"
 
@@ -35,8 +36,12 @@ void for_batches(std::span<const PixelSample> samples, const Use& use) {
 
 }  // namespace
 
-PictureSampler::PictureSampler(const SkyLight& sky, const Projection& projection)
-    : sky_(sky), projection_(projection) {}
+PictureSampler::PictureSampler(const SkyLight& sky, const Projection& projection, const SunDisc* disc)
+    : sky_(sky), projection_(projection) {
+  if (disc == nullptr) return;
+  SKYLUT_CHECK_EQ(disc->wavelengths().size(), sky.wavelengths().size());
+  disc_ = std::make_shared<const DiscPixels>(*disc, projection);
+}
 
 std::size_t PictureSampler::sample_row(int row, std::span<Xyz> colour, std::span<float> radiance) const {
   const std::size_t wavelengths = sky_.wavelengths().size();
@@ -60,6 +65,7 @@ std::size_t PictureSampler::sample_row(int row, std::span<Xyz> colour, std::span
                    radiance.begin() + static_cast<std::ptrdiff_t>(begin * wavelengths),
                    [](double sum) { return static_cast<float>(sum); });
   }
+  if (disc_) disc_->add_to_row(row, colour, radiance);
   return looks;
 }
 

@@ -50,6 +50,12 @@ std::vector<std::unique_ptr<Projection>> make_projections(const ProjectionChoice
   throw InputError("projection '{}': must be {}{}", name, listed(names), suggested(name, names));
 }
 
+Unit unit_of(const Direction& direction) {
+  const double zenith = kRadiansPerDegree * direction.zenith_deg;
+  const double azimuth = kRadiansPerDegree * direction.azimuth_deg;
+  return {std::sin(zenith) * std::sin(azimuth), std::sin(zenith) * std::cos(azimuth), std::cos(zenith)};
+}
+
 Direction direction_of(double east, double north, double up) {
   const double azimuth_deg = kDegreesPerRadian * std::atan2(east, north);
   return {kDegreesPerRadian * std::atan2(std::hypot(east, north), up), wrapped_azimuth_deg(azimuth_deg)};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -8,18 +9,12 @@ namespace skylut {
 
 namespace {
 
-struct Vector {
-  double east;
-  double north;
-  double up;
-};
-
 // What an observer in the middle of the cube has ahead, to the right and above on a face.
 struct Face {
   const char* name;
-  Vector ahead;
-  Vector right;
-  Vector top;
+  Unit ahead;
+  Unit right;
+  Unit top;
 };
 
 // OpenGL's cube maps (OpenGL 4.6 core specification, table 8.19) are seen from inside in a left-handed frame;
@@ -45,6 +40,24 @@ Direction direction_on(const Face& face, double u, double v) {
   return direction_of(face.ahead.east + u * face.right.east + v * face.top.east,
                       face.ahead.north + u * face.right.north + v * face.top.north,
                       face.ahead.up + u * face.right.up + v * face.top.up);
+}
+
+double dot(const Unit& a, const Unit& b) { return a.east * b.east + a.north * b.north + a.up * b.up; }
+
+// The face that a direction falls on, of several the first, and where.
+struct OnFace {
+  std::size_t face;
+  double u;
+  double v;
+};
+
+OnFace on_face(const Direction& direction) {
+  const Unit to = unit_of(direction);
+  const auto nearer = [&](const Face& a, const Face& b) { return dot(to, a.ahead) < dot(to, b.ahead); };
+  const Face& face = *std::max_element(kFaces.begin(), kFaces.end(), nearer);
+  const double depth = dot(to, face.ahead);
+  return {static_cast<std::size_t>(&face - kFaces.data()), std::clamp(dot(to, face.right) / depth, -1.0, 1.0),
+          std::clamp(dot(to, face.top) / depth, -1.0, 1.0)};
 }
 
 // dω = du dv (1 + u² + v²)^(-3/2).
@@ -74,6 +87,11 @@ class CubeFace final : public Projection {
   std::optional<Direction> direction_at(double x, double y) const override {
     return direction_on(face_, (2.0 * x - edge_) / edge_, (edge_ - 2.0 * y) / edge_);
   }
+  std::optional<PicturePoint> point_of(const Direction& direction) const override {
+    const OnFace at = on_face(direction);
+    if (face() != kFaces[at.face].name) return std::nullopt;
+    return PicturePoint{0.5 * edge_ * (1.0 + at.u), 0.5 * edge_ * (1.0 - at.v)};
+  }
   double density_sr(double x, double y) const override {
     return density_on_face_sr(edge_, (2.0 * x - edge_) / edge_, (edge_ - 2.0 * y) / edge_);
   }
@@ -96,6 +114,16 @@ class CubeCross final : public Projection {
     const Spot spot = spot_at(x, y);
     if (spot.face == nullptr) return std::nullopt;
     return direction_on(*spot.face, spot.u, spot.v);
+  }
+  std::optional<PicturePoint> point_of(const Direction& direction) const override {
+    const OnFace at = on_face(direction);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column)
+        if (face_in(column, row) == &kFaces[at.face])
+          // Not on the right or lower edge, whose pixels are another face's or none's.
+          return PicturePoint{std::nextafter(edge_ * (column + 0.5 * (1.0 + at.u)), edge_ * (column + 0.5)),
+                              std::nextafter(edge_ * (row + 0.5 * (1.0 - at.v)), edge_ * (row + 0.5))};
+    return std::nullopt;
   }
   double density_sr(double x, double y) const override {
     const Spot spot = spot_at(x, y);

@@ -34,6 +34,16 @@ class Fisheye final : public Projection {
     return Direction{zenith_deg(r), wrapped_azimuth_deg(azimuth_deg)};
   }
 
+  std::optional<PicturePoint> point_of(const Direction& direction) const override {
+    if (direction.zenith_deg > rim_deg_) return std::nullopt;
+    const double r = law_ == FisheyeLaw::equidistant
+                         ? direction.zenith_deg / rim_deg_
+                         : std::sin(0.5 * kRadiansPerDegree * direction.zenith_deg) / half_rim_sine_;
+    const double azimuth = kRadiansPerDegree * direction.azimuth_deg;
+    return PicturePoint{0.5 * size_ * (1.0 - r * std::sin(azimuth)),
+                        0.5 * size_ * (1.0 - r * std::cos(azimuth))};
+  }
+
   double density_sr(double x, double y) const override {
     const double r = std::hypot((2.0 * x - size_) / size_, (2.0 * y - size_) / size_);
     return r > 1.0 ? 0.0 : density_at(r);

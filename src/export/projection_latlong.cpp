@@ -22,6 +22,12 @@ class LatLong final : public Projection {
     return Direction{zenith_deg(y), 360.0 * half_pixels / (2.0 * width())};
   }
 
+  std::optional<PicturePoint> point_of(const Direction& direction) const override {
+    if (direction.zenith_deg > lowest_deg_) return std::nullopt;
+    const double from_west = std::fmod(direction.azimuth_deg + 90.0, 360.0);
+    return PicturePoint{from_west / 360.0 * width(), direction.zenith_deg / lowest_deg_ * height_};
+  }
+
   double density_sr(double, double y) const override {
     return std::sin(kRadiansPerDegree * zenith_deg(y)) * (kRadiansPerDegree * lowest_deg_ / height_) *
            (2.0 * kPi / width());

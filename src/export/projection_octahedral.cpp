@@ -30,6 +30,17 @@ class Octahedral final : public Projection {
                         std::copysign(horizontal * std::sin(phi), v), std::copysign(1.0 - r * r, above));
   }
 
+  std::optional<PicturePoint> point_of(const Direction& direction) const override {
+    const Unit to = unit_of(direction);
+    const double horizontal = std::hypot(to.east, to.north);
+    const double r = horizontal / std::sqrt(1.0 + std::abs(to.up));  // √(1 - |z|)
+    const double turn = 4.0 / kPi * std::atan2(std::abs(to.north), std::abs(to.east)) - 1.0;
+    const double sum = to.up >= 0.0 ? r : 2.0 - r;  // |u| + |v|
+    const double u = std::copysign(0.5 * (sum - turn * r), to.east);
+    const double v = std::copysign(0.5 * (sum + turn * r), to.north);
+    return PicturePoint{0.5 * edge_ * (1.0 + u), 0.5 * edge_ * (1.0 + v)};
+  }
+
   double density_sr(double, double) const override {
     return 4.0 * kPi / (static_cast<double>(edge_) * edge_);
   }

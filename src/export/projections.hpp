@@ -20,6 +20,14 @@ std::vector<std::unique_ptr<Projection>> cube_face_projections(int edge);
 std::unique_ptr<Projection> cube_cross_projection(int edge);
 std::unique_ptr<Projection> octahedral_projection(int edge);
 
+/// A vector of length 1.
+struct Unit {
+  double east;
+  double north;
+  double up;
+};
+Unit unit_of(const Direction& direction);
+
 /// The direction of a vector, of any length but 0.
 Direction direction_of(double east, double north, double up);
 

@@ -5,6 +5,7 @@
 
 #include "export/exr_file.hpp"
 #include "export/exr_header.hpp"
+#include "skylut/core/check.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
@@ -33,10 +34,47 @@ const char* ending_of(SkyChannels channels) {
   return "";
 }
 
+// Nothing but what is added to it; horizon and sun are where no pixel need be cut for them.
+class Darkness final : public SkyLight {
+ public:
+  explicit Darkness(const WavelengthGrid& wavelengths) : wavelengths_(wavelengths) {}
+  const WavelengthGrid& wavelengths() const override { return wavelengths_; }
+  Direction sun() const override { return {180.0, 0.0}; }
+  double horizon_zenith_deg() const override { return -180.0; }
+  void radiance(std::span<const Direction>, std::span<float> radiance) const override {
+    std::fill(radiance.begin(), radiance.end(), 0.0f);
+  }
+  void colour(std::span<const Direction>, std::span<Xyz> colour) const override {
+    std::fill(colour.begin(), colour.end(), Xyz{});
+  }
+
+ private:
+  WavelengthGrid wavelengths_;
+};
+
+// The pictures of one projection: the sky, and where it has one of its own the sun.
+std::vector<bool> suns_alone(const PictureOptions& options) {
+  return options.sun == SunPicture::file ? std::vector{false, true} : std::vector{false};
+}
+
+std::string sun_disc_text(const PictureOptions& options, bool sun_alone) {
+  if (sun_alone) return "alone: no sky";
+  switch (options.sun) {
+    case SunPicture::off:
+      return "not included";
+    case SunPicture::disc:
+      return "included: its light is in the pixels that hold it";
+    case SunPicture::file:
+      return "not included: in a picture of its own";
+  }
+  return "";
+}
+
 fs::path file_of(const fs::path& path, const PictureOptions& options, SkyChannels channels,
-                 const Projection& projection) {
+                 const Projection& projection, bool sun_alone) {
   std::string name = path.stem().string();
   if (options.channels.size() > 1) name += ending_of(channels);
+  if (sun_alone) name += "_sun";
   if (!projection.face().empty()) name += "_" + projection.face();
   fs::path file = path;
   return file.replace_filename(name + path.extension().string());
@@ -59,10 +97,10 @@ struct Strip {
 // One picture on its way: its files, and the strip that is being computed while the one before is written.
 class PictureWriter {
  public:
-  PictureWriter(const Context& context, const SkyLight& sky, const Projection& projection,
-                const PictureOptions& options, PictureSummary& summary)
+  PictureWriter(const Context& context, const SkyLight& sky, const SunDisc* disc,
+                const Projection& projection, const PictureOptions& options, PictureSummary& summary)
       : context_(context),
-        sampler_(sky, projection),
+        sampler_(sky, projection, disc),
         projection_(projection),
         options_(options),
         rgb_(rgb_space(options.rgb_space), options.adaptation),
@@ -172,30 +210,42 @@ void PictureSummary::add(const PictureSummary& other) {
 std::vector<fs::path> picture_files(const fs::path& path, const PictureOptions& options) {
   std::vector<fs::path> files;
   for (const auto& projection : make_projections(options.projection))
-    for (const SkyChannels channels : options.channels)
-      files.push_back(file_of(path, options, channels, *projection));
+    for (const bool sun_alone : suns_alone(options))
+      for (const SkyChannels channels : options.channels)
+        files.push_back(file_of(path, options, channels, *projection, sun_alone));
   return files;
 }
 
 PictureSummary write_pictures(const Context& context, const fs::path& path, const SkyLight& sky,
-                              const PictureOptions& options, const PictureLabels& labels,
+                              const PictureOptions& options, const PictureLabels& labels, const SunDisc* disc,
                               std::span<const FileText> also) {
+  SKYLUT_CHECK(disc != nullptr || options.sun == SunPicture::off);
+  const Darkness darkness(sky.wavelengths());
   const auto projections = make_projections(options.projection);
   PictureSummary summary;
   summary.files = picture_files(path, options);
 
   std::size_t rows = 0;
-  for (const auto& projection : projections) rows += static_cast<std::size_t>(projection->height());
+  for (const auto& projection : projections)
+    rows += static_cast<std::size_t>(projection->height()) * suns_alone(options).size();
   std::deque<ExrFile> files;
   std::size_t done = 0;
-  for (const auto& projection : projections) {
-    const std::size_t first_file = files.size();
-    for (const SkyChannels channels : options.channels)
-      files.emplace_back(summary.files[files.size()], exr_header(channels, *projection, sky, options, labels),
-                         channel_names(channels, sky.wavelengths()));
-    PictureWriter(context, sky, *projection, options, summary).write(files, first_file, done, rows);
-    done += static_cast<std::size_t>(projection->height());
-  }
+  PictureSummary of_suns;  // which says nothing of the sky
+  for (const auto& projection : projections)
+    for (const bool sun_alone : suns_alone(options)) {
+      const std::size_t first_file = files.size();
+      for (const SkyChannels channels : options.channels)
+        files.emplace_back(
+            summary.files[files.size()],
+            exr_header(channels, *projection, sky, options, labels, sun_disc_text(options, sun_alone)),
+            channel_names(channels, sky.wavelengths()));
+      const SkyLight& light = sun_alone ? darkness : sky;
+      const bool with_disc = sun_alone || options.sun == SunPicture::disc;
+      PictureWriter(context, light, with_disc ? disc : nullptr, *projection, options,
+                    sun_alone ? of_suns : summary)
+          .write(files, first_file, done, rows);
+      done += static_cast<std::size_t>(projection->height());
+    }
 
   std::deque<AtomicFile> others;
   std::vector<AtomicFile*> together;

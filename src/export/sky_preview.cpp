@@ -24,11 +24,12 @@ namespace {
 constexpr double kVisible = 1.0 / 255.0;  // change of a channel that counts
 
 // The light of a small picture, [row][column].
-std::vector<Xyz> light_of(const Context& context, const SkyLight& sky, const Projection& projection) {
+std::vector<Xyz> light_of(const Context& context, const SkyLight& sky, const SunDisc* disc,
+                          const Projection& projection) {
   const auto width = static_cast<std::size_t>(projection.width());
   const auto height = static_cast<std::size_t>(projection.height());
   std::vector<Xyz> light(width * height);
-  const PictureSampler sampler(sky, projection);
+  const PictureSampler sampler(sky, projection, disc);
   parallel_for(height, context.threads, [&](std::size_t row) {
     if (context.cancel.stop_requested()) throw Cancelled();
     sampler.sample_row(static_cast<int>(row), std::span(light).subspan(row * width, width), {});
@@ -54,14 +55,14 @@ double typical_luminance(const Projection& projection, const std::vector<Xyz>& l
 }  // namespace
 
 Preview make_preview(const Context& context, const SkyLight& sky, const PreviewOptions& options,
-                     const Provenance& provenance) {
+                     const Provenance& provenance, const SunDisc* disc) {
   if (options.middle_grey_cd_m2)
     require_within("middle grey", *options.middle_grey_cd_m2, domain::kMiddleGrey_cd_m2);
   ProjectionChoice choice = options.projection;
   if (choice.name == "cube") choice.name = "cube-cross";
   const auto projections = make_projections(choice);
   const Projection& projection = *projections.front();
-  const std::vector<Xyz> light = light_of(context, sky, projection);
+  const std::vector<Xyz> light = light_of(context, sky, disc, projection);
 
   Preview preview;
   preview.width = projection.width();

@@ -159,8 +159,8 @@ class PatchBuilder {
       draft.patch.row(with.zenith_deg, row);
       double& error = i < 2 ? draft.zenith_error : draft.azimuth_error;
       for (std::size_t k = 0; k < with.azimuths_deg.size(); ++k) {
-        SkyPatch::radiance(sky_, row, patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_),
-                           scratch, found);
+        SkyPatch::radiance(sky_.factors_of_point(), row,
+                           patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_), scratch, found);
         error = std::max(error, relative_error(sky_, found, std::span(with.exact).subspan(k * width, width)));
       }
     }
@@ -231,7 +231,7 @@ void ContinuousSky::radiance(std::span<const Direction> directions, std::span<fl
     }
     const std::span<float> to = radiance.subspan(i * width, width);
     SkyPatch::radiance(
-        *solved_, row,
+        solved_->factors(), row,
         patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, sun_.zenith_deg),
         scratch, to);
     if (scale_ != 1.0)

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skylut/core/check.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/quadrature.hpp"
 
 namespace skylut {
 
@@ -13,6 +15,11 @@ namespace {
 constexpr std::size_t kNodes = 1024;
 /// Relative to the phase function's mean over the wavelengths.
 constexpr double kTermTolerance = 1e-4;
+
+/// Of means over the disc.
+constexpr double kWidestMean_deg = 10.0;
+constexpr int kRings = 8;
+constexpr int kOnHalfARing = 12;
 
 /// Scattering angle of a node: Θ = π (i/(n-1))².
 double node_angle(std::size_t node) {
@@ -23,7 +30,7 @@ double node_angle(std::size_t node) {
 }  // namespace
 
 ScatteringFactors::ScatteringFactors(const SolvedColumns& columns, std::span<const std::size_t> first_column)
-    : wavelengths_(first_column.size()) {
+    : wavelengths_(first_column.size()), scatterers_(columns.scatterers()) {
   const std::size_t all = columns.parts();
   std::vector<double> whole(kNodes * all * wavelengths_);  // [node][part][wavelength]
   std::vector<double> factors(all);
@@ -43,16 +50,22 @@ ScatteringFactors::ScatteringFactors(const SolvedColumns& columns, std::span<con
     for (const std::size_t part : part_)
       for (std::size_t i = 0; i < wavelengths_; ++i)
         spectral_.push_back(static_cast<float>(whole[(node * all + part) * wavelengths_ + i]));
+  decompose();
+}
 
+void ScatteringFactors::decompose() {
+  term_.clear();
+  at_node_.clear();
   // A scatterer's factors count beside its phase function.
-  const std::size_t scatterers = columns.scatterers();
   std::vector<std::vector<float>> u;
   for (std::size_t part = 0; part + 1 < part_.size(); ++part) {
     std::vector<double> scale(kNodes);
-    const std::size_t phase = part_[part] % scatterers;
+    const auto phase = static_cast<std::size_t>(
+        std::find(part_.begin(), part_.end(), part_[part] % scatterers_) - part_.begin());
     for (std::size_t node = 0; node < kNodes; ++node) {
       for (std::size_t i = 0; i < wavelengths_; ++i)
-        scale[node] += whole[(node * all + phase) * wavelengths_ + i] / static_cast<double>(wavelengths_);
+        scale[node] += static_cast<double>(spectral_[(node * part_.size() + phase) * wavelengths_ + i]) /
+                       static_cast<double>(wavelengths_);
       scale[node] = std::max(scale[node], 1e-12);
     }
     decompose(part, scale, u);
@@ -114,6 +127,53 @@ void interpolate(const float* rows, std::size_t width, const float (&weight)[4],
 }
 
 }  // namespace
+
+// Of the disc's radius ρ0: with r = sin(ρ/2)/sin(ρ0/2), whose square is even in the disc's area, μ = √(1 -
+// r²).
+struct ScatteringFactors::Ring {
+  double rho = 0.0;     // from the middle, radians
+  double mu = 0.0;      // towards the limb's darkening
+  double weight = 0.0;  // of the disc's area
+};
+
+ScatteringFactors ScatteringFactors::over_disc(double angular_radius_deg,
+                                               std::span<const LimbDarkeningLaw> darkening) const {
+  SKYLUT_CHECK_EQ(darkening.size(), wavelengths_);
+  const double half_sine = std::sin(0.5 * angular_radius_deg * kRadiansPerDegree);
+  const Quadrature mu = gauss_legendre(kRings, 0.0, 1.0);  // of the area: 2 μ dμ
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i < mu.node.size(); ++i) {
+    const double r = std::sqrt(1.0 - mu.node[i] * mu.node[i]);
+    rings.push_back({2.0 * std::asin(r * half_sine), mu.node[i], 2.0 * mu.node[i] * mu.weight[i]});
+  }
+  ScatteringFactors averaged = *this;
+  const std::size_t width = part_.size() * wavelengths_;
+  for (std::size_t node = 0; node_angle(node) < kWidestMean_deg * kRadiansPerDegree; ++node)
+    average(node, rings, darkening, std::span(averaged.spectral_).subspan(node * width, width));
+  averaged.decompose();
+  return averaged;
+}
+
+void ScatteringFactors::average(std::size_t node, std::span<const Ring> rings,
+                                std::span<const LimbDarkeningLaw> darkening, std::span<float> mean) const {
+  const double angle = node_angle(node);
+  std::vector<float> at(mean.size());
+  std::vector<double> around(mean.size());
+  std::vector<double> sum(mean.size(), 0.0);
+  for (const Ring& ring : rings) {
+    std::fill(around.begin(), around.end(), 0.0);
+    for (int k = 0; k < kOnHalfARing; ++k) {
+      const double turn = kPi * (k + 0.5) / kOnHalfARing;
+      spectral(std::cos(angle) * std::cos(ring.rho) + std::sin(angle) * std::sin(ring.rho) * std::cos(turn),
+               at);
+      for (std::size_t i = 0; i < at.size(); ++i) around[i] += static_cast<double>(at[i]) / kOnHalfARing;
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += ring.weight * darkening[i % wavelengths_](ring.mu) * around[i];
+  }
+  std::transform(sum.begin(), sum.end(), mean.begin(),
+                 [](double value) { return static_cast<float>(value); });
+}
 
 void ScatteringFactors::spectral(double cos_scattering, std::span<float> factors) const {
   const Stencil at = stencil(cos_scattering);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "skylut/colour/yxy.hpp"
+#include "skylut/sky/limb_darkening.hpp"
 #include "skylut/transfer/solved_columns.hpp"
 
 namespace skylut {
@@ -15,11 +16,18 @@ namespace skylut {
 /// For the eye a part's factor f(Θ, λ) is written as Σ_k u_k(Θ) v_k(λ) by a truncated singular value
 /// decomposition, with as many terms as keep 1e-4 of the phase function: a colour is then a sum of a few
 /// products, and Rayleigh's part has two exactly.
+/// Also as means over the sun's disc: its light then comes from directions up to its radius around the one
+/// that Θ is counted from, weighted as the disc is dark towards its limb.
 class ScatteringFactors {
  public:
   /// @param columns       whose parts are tabulated
   /// @param first_column  a column of every wavelength: those of a band share their phase functions
   ScatteringFactors(const SolvedColumns& columns, std::span<const std::size_t> first_column);
+
+  /// The same factors as means over the disc, for Θ up to 10°: beyond, they are those of its middle to 4e-4,
+  /// even where they fall as Θ⁻² (mean ρ²/4 of the Laplacian).
+  /// @param darkening  [wavelength]
+  ScatteringFactors over_disc(double angular_radius_deg, std::span<const LimbDarkeningLaw> darkening) const;
 
   /// Parts of SolvedColumns that have a factor anywhere; the last one is the diffuse light, of factor 1.
   const std::vector<std::size_t>& parts() const { return part_; }
@@ -44,9 +52,15 @@ class ScatteringFactors {
     float weight[4];
   };
   Stencil stencil(double cos_scattering) const;
+  /// Rings of the disc around directions at an angle from its middle.
+  struct Ring;
+  void average(std::size_t node, std::span<const Ring> rings, std::span<const LimbDarkeningLaw> darkening,
+               std::span<float> mean) const;
+  void decompose();
   void decompose(std::size_t part, std::span<const double> scale, std::vector<std::vector<float>>& columns);
 
   std::size_t wavelengths_;
+  std::size_t scatterers_;
   std::vector<std::size_t> part_;
   std::vector<float> spectral_;  // [node][part][wavelength]
   std::vector<Term> term_;

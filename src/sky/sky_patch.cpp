@@ -29,7 +29,7 @@ void sum_series(std::span<const float> row, std::size_t width, double cos_azimut
 }  // namespace
 
 SkyPatch::SkyPatch(ZenithPanel panel, int points, int azimuths)
-    : panel_(std::move(panel)), x_(lobatto_points(points)), azimuths_(azimuths) {
+    : panel_(panel), x_(lobatto_points(points)), azimuths_(azimuths) {
   for (int k = 0; k < azimuths; ++k) azimuth_deg_.push_back(azimuths == 1 ? 0.0 : 180.0 * k / (azimuths - 1));
 }
 
@@ -101,17 +101,19 @@ void SkyPatch::blend(const std::vector<float>& coefficients, double zenith_deg, 
   }
 }
 
-void SkyPatch::radiance(const SolvedSky& sky, std::span<const float> row, const PatchDirection& direction,
-                        std::vector<float>& scratch, std::span<float> radiance) {
-  const std::size_t wavelengths = sky.wavelengths().size();
-  const std::size_t width = sky.parts() * wavelengths;
+void SkyPatch::radiance(const ScatteringFactors& factors, std::span<const float> row,
+                        const PatchDirection& direction, std::vector<float>& scratch,
+                        std::span<float> radiance) {
+  const std::size_t wavelengths = radiance.size();
+  const std::size_t parts = factors.parts().size();
+  const std::size_t width = parts * wavelengths;
   sum_series(row, width, direction.cos_azimuth, scratch);
   scratch.resize(2 * width);
-  sky.factors().spectral(direction.cos_scattering, std::span(scratch).last(width));
+  factors.spectral(direction.cos_scattering, std::span(scratch).last(width));
   std::fill(radiance.begin(), radiance.end(), 0.0f);
   const float* amplitude = scratch.data();
   const float* factor = scratch.data() + width;
-  for (std::size_t part = 0; part < sky.parts(); ++part, amplitude += wavelengths, factor += wavelengths)
+  for (std::size_t part = 0; part < parts; ++part, amplitude += wavelengths, factor += wavelengths)
     for (std::size_t i = 0; i < wavelengths; ++i) radiance[i] += amplitude[i] * factor[i];
   for (float& value : radiance) value = std::max(value, 0.0f);
 }

@@ -44,10 +44,12 @@ class SkyPatch {
   std::size_t colour_row_size() const { return colour_.size() / x_.size(); }
 
   /// Radiances of a row in one direction, W m⁻² sr⁻¹ nm⁻¹, [wavelength]; >= 0.
+  /// @param factors  of the sky: its factors(), or those of a point
   /// @param scratch  of any size
-  static void radiance(const SolvedSky& sky, std::span<const float> row, const PatchDirection& direction,
-                       std::vector<float>& scratch, std::span<float> radiance);
-  /// Tristimulus values of a colour row; >= 0.
+  static void radiance(const ScatteringFactors& factors, std::span<const float> row,
+                       const PatchDirection& direction, std::vector<float>& scratch,
+                       std::span<float> radiance);
+  /// Tristimulus values of a colour row, with the sky's factors(); >= 0.
   static Xyz colour(const SolvedSky& sky, std::span<const float> row, const PatchDirection& direction,
                     std::vector<float>& scratch);
 

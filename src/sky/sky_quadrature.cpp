@@ -28,7 +28,39 @@ void add_zenith_angles(double sun_deg, double end_deg, Quadrature& rule) {
   }
 }
 
+std::vector<Direction> directions_of(const SkyLight& sky, const SkyQuadrature& quadrature) {
+  std::vector<Direction> directions;
+  for (const RelativeView& view : quadrature.views)
+    directions.push_back({view.zenith_deg, sky.sun().azimuth_deg + view.relative_azimuth_deg});
+  return directions;
+}
+
 }  // namespace
+
+std::vector<double> integrate(const SkyLight& sky, const SkyQuadrature& quadrature) {
+  const std::vector<Direction> directions = directions_of(sky, quadrature);
+  const std::size_t width = sky.wavelengths().size();
+  std::vector<float> radiance(directions.size() * width);
+  sky.radiance(directions, radiance);
+  std::vector<double> total(width);
+  for (std::size_t view = 0; view < directions.size(); ++view)
+    for (std::size_t i = 0; i < width; ++i)
+      total[i] += quadrature.weight[view] * static_cast<double>(radiance[view * width + i]);
+  return total;
+}
+
+Xyz integrate_colour(const SkyLight& sky, const SkyQuadrature& quadrature) {
+  const std::vector<Direction> directions = directions_of(sky, quadrature);
+  std::vector<Xyz> colour(directions.size());
+  sky.colour(directions, colour);
+  Xyz total;
+  for (std::size_t view = 0; view < directions.size(); ++view) {
+    total.X += quadrature.weight[view] * colour[view].X;
+    total.Y += quadrature.weight[view] * colour[view].Y;
+    total.Z += quadrature.weight[view] * colour[view].Z;
+  }
+  return total;
+}
 
 SkyQuadrature hemisphere_quadrature(double sun_zenith_deg) {
   const double centre_deg = std::min(sun_zenith_deg, 90.0);

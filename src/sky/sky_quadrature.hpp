@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "skylut/core/directions.hpp"
+#include "skylut/sky/sky_light.hpp"
 
 namespace skylut {
 
@@ -12,6 +13,10 @@ struct SkyQuadrature {
   std::vector<RelativeView> views;
   std::vector<double> weight;
 };
+
+/// Σ weight · radiance of a sky, per wavelength, W m⁻² nm⁻¹; or of its colours.
+std::vector<double> integrate(const SkyLight& sky, const SkyQuadrature& quadrature);
+Xyz integrate_colour(const SkyLight& sky, const SkyQuadrature& quadrature);
 
 /// ∫ L cosθ dΩ over the upper hemisphere. Nodes crowd around the sun, where haze is bright: on either side of
 /// the sun's zenith angle θ_s they stand at θ_s ± span · t², in azimuth at 180° · t², t by Gauss and

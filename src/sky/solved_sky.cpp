@@ -6,11 +6,14 @@
 #include "skylut/core/check.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/sky/limb_darkening.hpp"
 #include "skylut/sky/sky_scene.hpp"
+#include "skylut/sky/sun_disc.hpp"
 
 namespace skylut {
 
-SolvedSky::SolvedSky(const Context& context, const SkyScene& scene, const TransferOptions& options)
+SolvedSky::SolvedSky(const Context& context, const SkyScene& scene, const TransferOptions& options,
+                     SunShape shape)
     : wavelengths_(scene.wavelengths),
       colour_weights_(ColourMatching::load(context).weights(scene.wavelengths)) {
   if (scene.turbidities.size() != 1 || scene.suns.empty())
@@ -28,6 +31,12 @@ SolvedSky::SolvedSky(const Context& context, const SkyScene& scene, const Transf
                                              suns_deg, options);
   factors_ = std::make_unique<const ScatteringFactors>(*columns_,
                                                        std::span(first_column_).first(wavelengths_.size()));
+  if (shape == SunShape::point) return;
+  const LimbDarkening limb = LimbDarkening::load(context);
+  std::vector<LimbDarkeningLaw> darkening;
+  for (std::size_t i = 0; i < wavelengths_.size(); ++i) darkening.push_back(limb.at(wavelengths_[i]));
+  averaged_factors_ = std::make_unique<const ScatteringFactors>(
+      factors_->over_disc(sun_angular_radius_deg(scene.sun_distance_au), darkening));
 }
 
 SolvedSky::~SolvedSky() = default;

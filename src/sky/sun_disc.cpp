@@ -38,8 +38,19 @@ namespace {
 
 constexpr double kSunAngularRadius_arcsec = 959.63;
 
-// Zenith angles over the disc, 7.5 arcsec apart, between which ln T is a straight line.
-constexpr int kTransmittanceNodes = 257;
+// Zenith angles over the disc, between which ln T is a straight line: at most this many, 7.5 arcsec apart.
+constexpr int kMostTransmittanceNodes = 257;
+constexpr double kPathError = 1e-6;  // of the straight line, in optical depths of the zenith
+
+// A path along sec θ strays from its chord by h²/8 (sec θ)'', which is sec³θ (1 + sin²θ).
+int transmittance_nodes(double top_deg, double bottom_deg) {
+  const double cosine = std::cos(bottom_deg * kRadiansPerDegree);
+  if (cosine < 0.01) return kMostTransmittanceNodes;
+  const double curvature = (2.0 - cosine * cosine) / (cosine * cosine * cosine);
+  const double pieces =
+      (bottom_deg - top_deg) * kRadiansPerDegree * std::sqrt(curvature / (8.0 * kPathError));
+  return 2 + static_cast<int>(std::min(pieces, kMostTransmittanceNodes - 2.0));
+}
 
 // Of the disc's own sums; the limb's √(1 - r²) is smooth in the angles that are integrated over.
 constexpr int kOrder = 48;
@@ -96,8 +107,9 @@ SunDisc::SunDisc(const Context& context, const SkyScene& scene) : wavelengths_(s
 void SunDisc::fill_transmittance(const Atmosphere& air, double altitude_km, double aod500, double top_deg,
                                  double bottom_deg) {
   std::vector<std::vector<double>> paths;
-  for (int n = 0; n < kTransmittanceNodes; ++n) {
-    zenith_deg_.push_back(linear(top_deg, bottom_deg, n / (kTransmittanceNodes - 1.0)));
+  const int nodes = transmittance_nodes(top_deg, bottom_deg);
+  for (int n = 0; n < nodes; ++n) {
+    zenith_deg_.push_back(linear(top_deg, bottom_deg, n / (nodes - 1.0)));
     const auto path = beam_path_factors(air.shells(), altitude_km, zenith_deg_.back());
     SKYLUT_CHECK(path.has_value());
     paths.push_back(*path);

@@ -15,6 +15,7 @@
 #include "skylut/core/errors.hpp"
 #include "skylut/sky/continuous_sky.hpp"
 #include "skylut/sky/exact_sky.hpp"
+#include "skylut/sky/sky_irradiance.hpp"
 #include "skylut/transfer/direct_beam.hpp"
 
 namespace skylut {
@@ -61,7 +62,7 @@ void add_beam_on_plane(const SunIrradianceOptions& options, SunIrradiance& resul
   for (const double normal : result.direct_normal) result.plane_direct.push_back(cosine * normal);
 }
 
-// An integral over the sky, and where it goes.
+// Another integral over the sky, and where it goes.
 struct SkyIntegral {
   SkyQuadrature quadrature;
   std::vector<double>* total;
@@ -71,7 +72,6 @@ std::vector<SkyIntegral> integrals(const SkyScene& scene, const SunIrradianceOpt
                                    SunIrradiance& result) {
   const Direction& sun = scene.suns[0];
   std::vector<SkyIntegral> list;
-  if (options.diffuse) list.push_back({hemisphere_quadrature(sun.zenith_deg), &result.diffuse_horizontal});
   if (options.circumsolar_half_angle_deg > 0.0)
     list.push_back({circumsolar_quadrature(sun.zenith_deg, options.circumsolar_half_angle_deg),
                     &result.circumsolar_normal});
@@ -85,21 +85,6 @@ std::vector<SkyIntegral> integrals(const SkyScene& scene, const SunIrradianceOpt
   return list;
 }
 
-// Sum of the sky's radiance with the weights of a quadrature.
-std::vector<double> integrate(const SkyLight& sky, const SkyQuadrature& quadrature) {
-  std::vector<Direction> directions;
-  for (const RelativeView& view : quadrature.views)
-    directions.push_back({view.zenith_deg, sky.sun().azimuth_deg + view.relative_azimuth_deg});
-  const std::size_t width = sky.wavelengths().size();
-  std::vector<float> radiance(directions.size() * width);
-  sky.radiance(directions, radiance);
-  std::vector<double> total(width);
-  for (std::size_t view = 0; view < directions.size(); ++view)
-    for (std::size_t i = 0; i < width; ++i)
-      total[i] += quadrature.weight[view] * static_cast<double>(radiance[view * width + i]);
-  return total;
-}
-
 void add_sky(const Context& context, const SkyScene& scene, const SunIrradianceOptions& options,
              const TransferOptions& transfer, SunIrradiance& result) {
   const auto solved = std::make_shared<const SolvedSky>(context, scene, transfer);
@@ -109,6 +94,7 @@ void add_sky(const Context& context, const SkyScene& scene, const SunIrradianceO
     sky = std::make_unique<ExactSky>(solved, scene.altitudes_km[0], scene.suns[0]);
   else
     sky = std::make_unique<ContinuousSky>(context, solved, scene.altitudes_km[0], scene.suns[0]);
+  if (options.diffuse) result.diffuse_horizontal = diffuse_horizontal(*sky);
   for (const SkyIntegral& integral : integrals(scene, options, result))
     *integral.total = integrate(*sky, integral.quadrature);
 }

@@ -54,7 +54,7 @@ class Map(unittest.TestCase):
         screen = self.map("-o", "sky.exr", "--sun-zenith-deg", "45", "--size", "8",
                           "--channels", "rgb,xyz,spectral")
         self.assertEqual(sorted(self.work.contents()), ["sky_rgb.exr", "sky_spectral.exr", "sky_xyz.exr"])
-        self.assertIn("128 directions", screen)
+        self.assertIn("128 pixels", screen)
 
     def test_a_picture_of_one_kind_has_the_name_asked_for(self):
         self.map("-o", "sky.exr", "--sun-zenith-deg", "45", "--size", "8", "--channels", "xyz")
@@ -65,6 +65,52 @@ class Map(unittest.TestCase):
             self.map("-o", f"{threads}.exr", "--sun-zenith-deg", "85", "--size", "8", "--threads", threads,
                      "--channels", "spectral")
         self.assertEqual(self.work.path("1.exr").read_bytes(), self.work.path("2.exr").read_bytes())
+
+    def test_a_sun_of_its_own(self):
+        small = ["--sun-zenith-deg", "45", "--size", "8", "--channels", "luminance"]
+        self.map("-o", "sky.exr", "--sun", "file", "--channels", "rgb,xyz", *small[:4])
+        self.assertEqual(sorted(self.work.contents()),
+                         ["sky_rgb.exr", "sky_rgb_sun.exr", "sky_xyz.exr", "sky_xyz_sun.exr"])
+        bright = self.map("-o", "disc.exr", "--sun", "disc", *small)
+        dark = self.map("-o", "off.exr", *small)
+        brightest = [float(screen.split("luminance ")[1].split()[2]) for screen in (bright, dark)]
+        # 8 rows: the disc, 6.8e-5 sr of some 1e9 cd/m2, in a pixel of 0.1 sr.
+        self.assertGreater(brightest[0], 2e5)
+        self.assertLess(brightest[1], 1e5)
+
+    def test_a_day_is_a_series_of_numbered_pictures(self):
+        screen = self.map("-o", "sky.exr", "--size", "8", "--latitude", "48:51N", "--longitude", "2:21E", "--time",
+                          "2024-03-20T00:00Z/2024-03-20T23:00Z/1h")
+        names = sorted(self.work.contents())
+        frames = [name for name in names if name.endswith(".exr")]
+        with open(self.work.path("sky.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        self.assertEqual([row["file"] for row in rows], frames)
+        self.assertEqual(frames, [f"sky_{i:04}.exr" for i in range(1, len(frames) + 1)])
+        self.assertEqual(names, ["sky.csv", *frames])
+        self.assertIn(f"{24 - len(frames)} suns are more than 96 deg", screen)
+        self.assertIn(len(frames), (13, 14))  # equinox: 12 hours and two twilights of 40 minutes
+        noon = rows[[row["time"] for row in rows].index("2024-03-20T12:00:00Z")]
+        self.assertAlmostEqual(float(noon["sun_zenith_deg"]), 48.85, delta=0.3)
+        for row in rows:
+            beam = float(row["direct_normal_lux"]) * max(0, math.cos(math.radians(float(row["sun_zenith_deg"]))))
+            self.assertAlmostEqual(float(row["direct_horizontal_lux"]), beam, delta=1e-6 * beam)
+            self.assertGreater(float(row["diffuse_horizontal_lux"]), 0)
+
+    def test_frames_do_not_depend_on_threads_or_company(self):
+        suns = ["--suns", "45:90,60:100,85:110", "--size", "8", "--sun", "disc", "--preview", "look.png"]
+        for folder, threads in (("one", "1"), ("two", "2")):
+            self.work.path(folder).mkdir()
+            self.map("-o", f"{folder}/sky.exr", *suns, "--threads", threads)
+            self.assertTrue(self.work.path("look_0003.png").exists())
+        for name in ("sky_0001.exr", "sky_0002.exr", "sky_0003.exr", "sky.csv"):
+            self.assertEqual(self.work.path(f"one/{name}").read_bytes(), self.work.path(f"two/{name}").read_bytes())
+
+    def test_times_from_a_file(self):
+        self.work.write("mine.csv", "name,time\nearly,2024-06-21T06:00Z\nlate,2024-06-21T15:00+02:00\n")
+        self.map("-o", "sky.exr", "--size", "8", "--latitude", "48:51N", "--longitude", "2:21E", "--times", "mine.csv")
+        self.assertEqual(sorted(self.work.contents()), ["mine.csv", "sky.csv", "sky_0001.exr", "sky_0002.exr"])
+        self.assertIn("2024-06-21T13:00:00Z", self.work.path("sky.csv").read_text(encoding="utf-8"))
 
     def test_place_and_time_give_the_sun(self):
         # Summer solstice noon at Greenwich: the sun stands 51.48 - 23.44 = 28.04 deg from the zenith, in the south;

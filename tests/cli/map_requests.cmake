@@ -67,15 +67,32 @@ skylut_refuses(map_channels_twice 2 "--channels 'rgb,rgb': must have rgb once" m
 skylut_refuses(map_size_0 2 "--size '0'.*2 to 16384" map -o sky.exr --sun-zenith-deg 45 --size 0)
 skylut_refuses(map_size_word 2 "--size '512x256'" map -o sky.exr --sun-zenith-deg 45 --size 512x256)
 
+skylut_refuses(map_sun_kind_unknown 2 "--sun 'dics': must be off, disc or file, did you mean disc" map -o sky.exr
+  --sun-zenith-deg 45 --sun dics)
+skylut_refuses(map_sun_in_numbers 2 "--sun: is for .exr" map -o sky.csv --sun-zenith-deg 45 --sun disc)
+skylut_refuses(map_frame_of_no_series 2 "--frame: needs --suns, --times or --time START/END/STEP" map -o sky.exr
+  --sun-zenith-deg 45 --frame 2)
+skylut_refuses(map_frame_beyond 2 "--frame 3: the series has 2 frames" map -o sky.exr --suns 45:90,60:100 --frame 3)
+skylut_refuses(map_suns_for_numbers 2 "--suns: is for .exr" map -o sky.csv --suns 45:90,60:100)
+skylut_refuses(map_steps_for_numbers 2 "--time START/END/STEP: is for .exr" map -o sky.csv --latitude 48 --longitude 2
+  --time 2024-06-21T09:00Z/2024-06-21T11:00Z/1h)
+skylut_refuses(map_suns_and_angles 2 "--suns: gives the sun, must not be given with --sun-zenith-deg" map -o sky.exr
+  --suns 45:90 --sun-zenith-deg 30)
+skylut_refuses(map_suns_and_time 2 "--time 2024-06-21T09:00:00Z: gives the sun, must not be given with --suns" map
+  -o sky.exr --suns 45:90 --time 2024-06-21T09:00Z --latitude 48 --longitude 2)
+skylut_refuses(map_series_without_place 2 "--time .*/1h: needs --latitude and --longitude" map -o sky.exr
+  --time 2024-06-21T09:00Z/2024-06-21T11:00Z/1h)
+skylut_refuses(map_series_by_night 2 "--time .*: 3 suns, all more than 96 deg from the zenith" map -o sky.exr
+  --latitude 48 --longitude 2 --time 2024-12-21T23:00Z/2024-12-22T01:00Z/1h)
+skylut_refuses(map_times_broken 2 "mine.csv:2: .*noon" map -o sky.exr --latitude 48 --longitude 2 --times mine.csv
+  INPUT "mine.csv=time\nnoon\n")
+skylut_refuses(map_series_table_is_a_folder 2 "sky.csv.*directory" map -o sky.exr --suns 45:90 FOLDER sky.csv)
+
 # Options that do not exist, requests that do not fit.
 skylut_refuses(map_misspelt 2 "--sun-zenith: unknown option, did you mean --sun-zenith-deg.*skylut map --help" map
   -o sky.csv --sun-zenith 45)
-skylut_refuses(map_size_beyond_memory 2 "--size 8192: needs about [0-9.e+]+ GB of memory, 0.9[0-9]* GB may be used here: [0-9]+ fits" map
-  -o sky.exr --sun-zenith-deg 45 --size 8192 MEMORY_KB 1000000)
-skylut_refuses(map_spectral_beyond_memory 2 "--size 1024: needs about.*fits" map -o sky.exr --sun-zenith-deg 45 --size 1024
-  --channels spectral MEMORY_KB 1800000)
 skylut_refuses(map_out_of_memory 1 "ran out of memory|not enough memory" map -o sky.csv
-  --sun-zenith-deg 45 --wavelengths-nm 400:700:100 --quality draft --threads 1 MEMORY_KB 48000)
+  --sun-zenith-deg 45 --wavelengths-nm 400:700:100 --quality draft --threads 1 MEMORY_KB 42000)
 skylut_prints(map_plain_numbers "sun 45:270 deg" map -o SKY.CSV --sun-zenith-deg +4.5e1 --sun-azimuth-deg -90
   --turbidity " 0.1" --wavelengths-nm 400:700:100 --quality draft)
 skylut_prints(map_picture_in_capitals "wrote SKY.EXR" map -o SKY.EXR --sun-zenith-deg 45 --size 4

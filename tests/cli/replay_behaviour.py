@@ -129,6 +129,28 @@ class Replay(unittest.TestCase):
         self.same("one_rgb.exr", "two_rgb.exr")
         self.same("one_spectral.exr", "two_spectral.exr")
 
+    def test_a_sun_beside_its_sky(self):
+        self.work.succeed("map", "-o", "one.exr", *COARSE, "--sun-zenith-deg", "75", "--size", "8", "--sun", "file")
+        self.assertIn("--sun file", self.replay("one_sun.exr", "-o", "two.exr"))
+        self.same("one.exr", "two.exr")
+        self.same("one_sun.exr", "two_sun.exr")
+
+    def test_frames_of_a_series(self):
+        in_place = [*self.files, *OF_AIR, "--turbidity", "3"]
+        for suns in (["--suns", "80:90,60:400"], ["--times", NAME.format("times.csv"), *in_place],
+                     ["--time", "2024-06-21T09:00Z/2024-06-21T13:00+02:00/2h", *in_place]):
+            self.work.write(NAME.format("times.csv"), "time\n2024-06-21T09:00Z\n2024-06-21T11:00Z\n")
+            self.work.succeed("map", "-o", "one.exr", *COARSE, *suns, "--size", "8", "--sun", "disc")
+            self.assertIn(" --frame 2", self.replay("one_0002.exr", "-o", "two.exr"))
+            self.assertFalse(self.work.path("two_0001.exr").exists() or self.work.path("two.csv").exists())
+            self.same("one_0002.exr", "two_0002.exr")
+            self.assertNotIn(" --frame", self.replay("one.csv", "-o", "two.exr"))
+            self.same("one_0001.exr", "two_0001.exr")
+            self.assertEqual(self.work.path("one.csv").read_text(encoding="utf-8").replace("one_0", "two_0"),
+                             self.work.path("two.csv").read_text(encoding="utf-8"))
+            for name in ("two_0001.exr", "two_0002.exr", "two.csv"):
+                self.work.path(name).unlink()
+
     def test_profile_case(self):
         self.work.succeed("profile", "case", NAME.format("toml"), "-o", "one.json", "--wavelength-nm", "690", "--band-nm", "5",
                           "--absorption-term", "1", *self.files, *OF_AIR, "--turbidity", "2", "--altitude-km", "2",

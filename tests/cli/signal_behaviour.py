@@ -46,6 +46,18 @@ class Stopped(unittest.TestCase):
                 self.assertEqual(program.wait(timeout=60), 128 + number)
                 self.assertEqual(self.work.contents(), {})
 
+    def test_a_series_leaves_whole_frames(self):
+        suns = ",".join(f"{zenith / 100}:90" for zenith in range(1000, 5000, 10))
+        with subprocess.Popen([self.work.program, *MAP[:2], "sky.exr", "--suns", suns, "--size", "16", *MAP[5:]],
+                              cwd=self.work.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as program:
+            while not list(self.work.folder.glob("sky_*.exr")):
+                self.assertIsNone(program.poll())
+                time.sleep(0.01)
+            program.send_signal(signal.SIGINT)
+            self.assertEqual(program.wait(timeout=60), 128 + signal.SIGINT)
+        left = self.work.contents()
+        self.assertTrue(all(name.startswith("sky_0") and name.endswith(".exr") for name in left), list(left))
+
     def test_the_limit_on_file_size_stops_the_write_itself(self):
         self.work.write("sky.csv", "old")
         code = self.run_with(lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, resource.RLIM_INFINITY)), *MAP)

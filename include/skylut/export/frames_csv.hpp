@@ -6,6 +6,8 @@
 
 #include "skylut/core/provenance.hpp"
 #include "skylut/site/sun_series.hpp"
+#include "skylut/sky/sky_light.hpp"
+#include "skylut/sky/sun_disc.hpp"
 
 namespace skylut {
 
@@ -17,6 +19,10 @@ struct FrameRow {
   double diffuse_horizontal_lux = 0.0;  ///< of the sky on a horizontal plane
   std::string file;                     ///< that holds the frame
 };
+
+/// The light of a frame: the beam is the disc's, the diffuse light the sky's integral. @param file  that
+/// holds it
+FrameRow frame_row(const SunFrame& frame, const SkyLight& sky, const SunDisc& disc, std::string file);
 
 /// Name of one file of a series: its number goes before the ending, with four digits or as many as the last
 /// one needs, so that names sort as numbers do: "out/sky.exr" → "out/sky_0001.exr".

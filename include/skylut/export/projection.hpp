@@ -9,6 +9,12 @@
 
 namespace skylut {
 
+/// A point of a picture, in pixels to the right of and below its upper left corner.
+struct PicturePoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
 /// How the directions around an observer are laid out on the pixels of a picture. Points of the picture are
 /// x to the right and y downwards from its upper left corner, in pixels: the centre of the first pixel is
 /// (0.5, 0.5). Pixels that are mirror images of each other have directions that are.
@@ -25,6 +31,11 @@ class Projection {
   /// Direction in which the observer looks through a point, or none: outside the circle of a fisheye, in the
   /// empty corners of a cross. @param x  [0, width] @param y  [0, height]
   virtual std::optional<Direction> direction_at(double x, double y) const = 0;
+
+  /// The point through which the observer looks in a direction, or none: beyond the hemisphere that is shown,
+  /// on another face. What lies on the edge between faces is on one of them. direction_at() of the point is
+  /// the direction again, to rounding. @param direction  zenith angle [0, 180], azimuth [0, 360)
+  virtual std::optional<PicturePoint> point_of(const Direction& direction) const = 0;
 
   /// Solid angle that a small part of the picture covers per pixel of its area, sr; 0 where there is no
   /// direction.

@@ -14,10 +14,18 @@
 #include "skylut/export/projection.hpp"
 #include "skylut/export/sky_channels.hpp"
 #include "skylut/sky/sky_light.hpp"
+#include "skylut/sky/sun_disc.hpp"
 
 namespace skylut {
 
 struct Context;
+
+/// Where the sun's disc is drawn.
+enum class SunPicture {
+  off,   ///< nowhere: diffuse light alone
+  disc,  ///< in the sky
+  file   ///< in a picture of its own beside that of the sky, dark but for the disc
+};
 
 /// What pictures of a sky to write.
 struct PictureOptions {
@@ -25,6 +33,7 @@ struct PictureOptions {
   std::vector<SkyChannels> channels{SkyChannels::rgb};  ///< each once
   std::string rgb_space = "rec709";                     ///< of rgb_spaces()
   WhiteAdaptation adaptation = WhiteAdaptation::bradford;
+  SunPicture sun = SunPicture::off;
 };
 
 /// What the files say about the sky beside what the sky knows.
@@ -34,7 +43,7 @@ struct PictureLabels {
   Provenance provenance;
 };
 
-/// What was written.
+/// What was written. The numbers are those of the sky's pictures; a sun of its own only has files.
 struct PictureSummary {
   std::vector<std::filesystem::path> files;
   std::size_t pixels = 0;      ///< with a direction, of all faces
@@ -48,7 +57,8 @@ struct PictureSummary {
 };
 
 /// The files of a picture that is to be called `path`: that name itself if there is one kind of channels and
-/// no faces; else sky_rgb.exr, sky_spectral.exr; sky_px.exr; sky_rgb_px.exr.
+/// no faces; else sky_rgb.exr, sky_spectral.exr; sky_px.exr; sky_rgb_px.exr. A sun of its own goes to
+/// sky_sun.exr, sky_rgb_sun.exr, sky_rgb_sun_px.exr. By face, the sky before the sun.
 std::vector<std::filesystem::path> picture_files(const std::filesystem::path& path,
                                                  const PictureOptions& options);
 
@@ -60,12 +70,13 @@ std::vector<std::filesystem::path> picture_files(const std::filesystem::path& pa
 /// picture's width, not with its height. The bytes do not depend on the number of threads. The files take
 /// their names together when all are complete; a failure, a cancelled context or a signal (with
 /// remove_unfinished_files()) leaves none.
+/// @param disc  of options.sun, unless that is off; of the sky's wavelengths
 /// @param also  other files of the same command that take their names with them
 /// @throws InputError  for an unknown projection or RGB space, a size out of range
 /// @throws WorkError   if a file cannot be written
 /// @throws Cancelled   if context.cancel was asked
 PictureSummary write_pictures(const Context& context, const std::filesystem::path& path, const SkyLight& sky,
                               const PictureOptions& options, const PictureLabels& labels,
-                              std::span<const FileText> also = {});
+                              const SunDisc* disc = nullptr, std::span<const FileText> also = {});
 
 }  // namespace skylut

@@ -7,6 +7,7 @@
 #include "skylut/core/provenance.hpp"
 #include "skylut/export/projection.hpp"
 #include "skylut/sky/sky_light.hpp"
+#include "skylut/sky/sun_disc.hpp"
 
 namespace skylut {
 
@@ -41,9 +42,10 @@ struct Preview {
 };
 
 /// Computes the preview from a picture of its own size.
+/// @param disc  shown with the sky; none: the sky alone
 /// @throws InputError  for an unknown projection, a size or a middle grey out of range
 /// @throws Cancelled   if context.cancel was asked
 Preview make_preview(const Context& context, const SkyLight& sky, const PreviewOptions& options,
-                     const Provenance& provenance);
+                     const Provenance& provenance, const SunDisc* disc = nullptr);
 
 }  // namespace skylut

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "skylut/core/quadrature.hpp"
+#include "support/test_atmosphere.hpp"
+#include "support/test_context.hpp"
 #include "test_light.hpp"
 
 namespace skylut {
@@ -183,6 +185,93 @@ TEST(PictureSampler, SpectraGoWithColours) {
       EXPECT_NEAR(radiance[3 * i + 2], 1.2 * colour[i].Y, 1e-5);
     }
   }
+}
+
+// A sun 30' across in thin air, in the middle of a pixel or where the azimuth and zenith angle say.
+SunDisc sun_at(const Direction& sun) {
+  SkyScene scene;
+  scene.atmosphere = test::standard_atmosphere();
+  scene.altitudes_km = {0.0};
+  scene.turbidities = {{TurbidityKind::aod500, 0.1}};
+  scene.suns = {sun};
+  scene.wavelengths = WavelengthGrid{400.0, 600.0, 100.0};  // as FormulaLight
+  return {test::context, scene};
+}
+
+// Its own sun and horizon are where no pixel is cut for them.
+FormulaLight darkness() {
+  return FormulaLight([](const Direction&) { return 0.0; }, {180.0, 0.0}, -180.0);
+}
+
+struct Lit {
+  double normal = 0.0;      // ∫ L dω
+  double horizontal = 0.0;  // ∫ L cos θ dω
+  std::vector<double> irradiance;
+};
+
+Lit lit_by(const SkyLight& sky, const SunDisc& disc, const ProjectionChoice& choice) {
+  Lit lit{0.0, 0.0, std::vector<double>(3)};
+  for (const auto& picture : make_projections(choice)) {
+    const PictureSampler sampler(sky, *picture, &disc);
+    std::vector<Xyz> colour(static_cast<std::size_t>(picture->width()));
+    std::vector<float> radiance(3 * colour.size());
+    for (int row = 0; row < picture->height(); ++row) {
+      sampler.sample_row(row, colour, radiance);
+      for (int column = 0; column < picture->width(); ++column) {
+        const auto i = static_cast<std::size_t>(column);
+        if (colour[i].Y == 0.0) continue;
+        const double solid_angle = picture->solid_angle_sr(column, row);
+        lit.normal += colour[i].Y * solid_angle;
+        for (std::size_t w = 0; w < 3; ++w)
+          lit.irradiance[w] += solid_angle * static_cast<double>(radiance[3 * i + w]);
+        if (const auto direction = picture->direction(column, row))
+          lit.horizontal += std::max(0.0, cosine(direction->zenith_deg)) * colour[i].Y * solid_angle;
+      }
+    }
+  }
+  return lit;
+}
+
+// ∫ L dω is what the disc sends, whatever the projection, the size and the place of the disc, on seams and
+// poles of a picture, too; in every wavelength.
+TEST(PictureSampler, TheDiscsLightIsAllThere) {
+  const FormulaLight dark = darkness();
+  for (const Direction sun :
+       {Direction{48.0, 200.0}, {0.1, 30.0}, {50.0, 45.0}, {80.0, 270.0}, {89.9, 10.0}}) {
+    const SunDisc disc = sun_at(sun);
+    for (const std::string& name : projection_names())
+      for (const int size : {5, 64, 512}) {
+        if (size == 512 && (sun.zenith_deg != 48.0 || name == "cube-cross")) continue;
+        const Lit lit = lit_by(dark, disc, {name, size, {}});
+        EXPECT_NEAR(lit.normal / disc.illuminance().Y, 1.0, 1e-9)
+            << name << " " << size << " " << sun.zenith_deg;
+        for (std::size_t w = 0; w < 3; ++w)
+          EXPECT_NEAR(lit.irradiance[w] / disc.direct_normal()[w], 1.0, 1e-6) << name << " " << size;
+      }
+  }
+}
+
+// A pixel's cosine is that of its middle: where the sun stands in one, diffuse light and beam add up to what
+// falls on a horizontal plane.
+TEST(PictureSampler, AUniformSkyAndTheDiscLightAPlane) {
+  constexpr double kLuminance = 4000.0;
+  const FormulaLight sky([](const Direction& d) { return d.zenith_deg < 90.0 ? kLuminance : 0.0; });
+  for (const std::string& name : projection_names())
+    for (const int size : {64, 512}) {
+      if (size == 512 && name == "cube-cross") continue;  // the cube's pixels
+      const auto pictures = make_projections({name, size, {}});
+      const Projection& picture = *pictures.at(pictures.size() > 1 ? 4 : 0);
+      const int column = name == "cube-cross" ? size + size / 3 : picture.width() / 3;
+      const int row = name == "cube-cross" ? size + size / 3 : picture.height() / 3;
+      const SunDisc disc = sun_at(*picture.direction(column, row));
+      const double expected = kPi * kLuminance + disc.illuminance().Y * cosine(disc.sun().zenith_deg);
+      EXPECT_NEAR(lit_by(sky, disc, {name, size, {}}).horizontal / expected, 1.0, 5e-4)
+          << name << " " << size << " sun " << disc.sun().zenith_deg;
+    }
+}
+
+TEST(PictureSampler, ADiscBehindTheHorizonAddsNothing) {
+  EXPECT_EQ(lit_by(darkness(), sun_at({91.0, 10.0}), {"latlong", 16, {}}).normal, 0.0);
 }
 
 }  // namespace

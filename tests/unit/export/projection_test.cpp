@@ -208,6 +208,44 @@ TEST(Projections, MirroredPixelsHaveMirroredAngles) {
   }
 }
 
+// The inverse of direction_at, on exactly one of a cube's faces.
+TEST(Projections, DirectionsHaveTheirPoints) {
+  for (const std::string& name : projection_names())
+    for (const SkyPart part : {SkyPart::sphere, SkyPart::hemisphere}) {
+      if (part == SkyPart::hemisphere && !shows_hemispheres(name)) continue;
+      const auto pictures = make_projections({name, 16, part});
+      for (double zenith_deg = 0.0; zenith_deg <= 180.0; zenith_deg += 7.5)
+        for (double azimuth_deg = 0.0; azimuth_deg < 360.0; azimuth_deg += 7.5) {
+          int shown = 0;
+          for (const auto& picture : pictures) {
+            const auto point = picture->point_of({zenith_deg, azimuth_deg});
+            if (!point) continue;
+            ++shown;
+            ASSERT_TRUE(point->x >= 0.0 && point->x <= picture->width()) << name << " " << point->x;
+            ASSERT_TRUE(point->y >= 0.0 && point->y <= picture->height()) << name << " " << point->y;
+            // A fisheye's rim may lie 1e-16 beyond itself.
+            const auto back = picture->direction_at(point->x, point->y);
+            if (back) expect_direction(*picture, point->x, point->y, {zenith_deg, azimuth_deg});
+            EXPECT_TRUE(back || zenith_deg == 90.0 || zenith_deg == 180.0) << name << " " << zenith_deg;
+          }
+          const bool hidden = part == SkyPart::hemisphere && zenith_deg > 90.0;
+          EXPECT_EQ(shown, hidden ? 0 : 1) << name << " " << zenith_deg << " " << azimuth_deg;
+        }
+    }
+}
+
+// Along the seams of a cross, too, the pixel that holds a point is one that has directions.
+TEST(Projections, PointsOfACrossLieInItsPixels) {
+  const auto cross = one("cube-cross", 7);
+  for (double zenith_deg = 0.0; zenith_deg <= 180.0; zenith_deg += 1.25)
+    for (double azimuth_deg = 0.0; azimuth_deg < 360.0; azimuth_deg += 2.5) {
+      const auto point = cross->point_of({zenith_deg, azimuth_deg});
+      ASSERT_TRUE(point);
+      EXPECT_GT(cross->solid_angle_sr(static_cast<int>(point->x), static_cast<int>(point->y)), 0.0)
+          << zenith_deg << " " << azimuth_deg;
+    }
+}
+
 TEST(Projections, UnknownNamesSizesAndPartsAreRefused) {
   for (const char* name : {"", "LATLONG", "mercator"})
     EXPECT_THROW(make_projections({name, 16, {}}), InputError) << name;

@@ -18,6 +18,7 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/version.hpp"
+#include "support/test_atmosphere.hpp"
 #include "support/test_context.hpp"
 #include "test_light.hpp"
 
@@ -47,7 +48,7 @@ class ColouredLight final : public SkyLight {
   }
 
  private:
-  WavelengthGrid wavelengths_{400.0, 700.0, 150.0};
+  WavelengthGrid wavelengths_{400.0, 600.0, 100.0};
 };
 
 class SkyPicture : public testing::Test {
@@ -131,7 +132,7 @@ TEST_F(SkyPicture, SeveralKindsHaveFilesOfTheirOwnAndAgree) {
   const auto blue = channel("sky_rgb.exr", "B");
   EXPECT_EQ(channel("sky_spectral.exr", "R"), red);
   const auto first = channel("sky_spectral.exr", "S0.400,000000nm");
-  const auto last = channel("sky_spectral.exr", "S0.700,000000nm");
+  const auto last = channel("sky_spectral.exr", "S0.600,000000nm");
   for (std::size_t i = 0; i < y.size(); ++i) {
     EXPECT_NEAR(to_xyz(LinearRgb{red[i], green[i], blue[i]}).Y / y[i], 1.0, 1e-6);
     EXPECT_NEAR(first[i] / (1e-3 * y[i]), 1.0, 1e-6);
@@ -257,8 +258,40 @@ TEST_F(SkyPicture, CancellingLeavesNothing) {
 TEST_F(SkyPicture, OtherFilesOfTheCommandAppearWithIt) {
   const std::string preview_file = (folder_ / "preview.png").string();
   const std::vector<FileText> also{{preview_file, "png"}};
-  write_pictures(test::context, folder_ / "sky.exr", sky_, of({SkyChannels::rgb}), labels_, also);
+  write_pictures(test::context, folder_ / "sky.exr", sky_, of({SkyChannels::rgb}), labels_, nullptr, also);
   EXPECT_EQ(files(), (Names{"preview.png", "sky.exr"}));
+}
+
+TEST_F(SkyPicture, ASunOfItsOwnHasItsFiles) {
+  SkyScene scene;
+  scene.atmosphere = test::standard_atmosphere();
+  scene.altitudes_km = {0.0};
+  scene.turbidities = {{TurbidityKind::aod500, 0.1}};
+  scene.suns = {sky_.sun()};
+  scene.wavelengths = sky_.wavelengths();
+  const SunDisc disc(test::context, scene);
+  PictureOptions options = of({SkyChannels::luminance}, "latlong", 40);
+  write(options, "off.exr");
+  options.sun = SunPicture::disc;
+  write_pictures(test::context, folder_ / "both.exr", sky_, options, labels_, &disc);
+  options.sun = SunPicture::file;
+  const PictureSummary summary =
+      write_pictures(test::context, folder_ / "sky.exr", sky_, options, labels_, &disc);
+  EXPECT_EQ(files(), (Names{"both.exr", "off.exr", "sky.exr", "sky_sun.exr"}));
+  EXPECT_EQ(summary.files, (std::vector<fs::path>{folder_ / "sky.exr", folder_ / "sky_sun.exr"}));
+  EXPECT_LT(summary.brightest_cd_m2, 2000.0);
+  const auto sky = channel("sky.exr", "Y");
+  const auto sun = channel("sky_sun.exr", "Y");
+  const auto both = channel("both.exr", "Y");
+  EXPECT_EQ(sky, channel("off.exr", "Y"));
+  for (std::size_t i = 0; i < sky.size(); ++i) EXPECT_NEAR(both[i], sky[i] + sun[i], 1e-6f * both[i]);
+  EXPECT_GT(*std::max_element(sun.begin(), sun.end()), 1e6f);
+  EXPECT_EQ(text(header("off.exr"), "skySunDisc"), "not included");
+  EXPECT_NE(text(header("both.exr"), "skySunDisc"), text(header("off.exr"), "skySunDisc"));
+  EXPECT_NE(text(header("sky_sun.exr"), "skySunDisc").find("alone"), std::string::npos);
+  options = of({SkyChannels::rgb, SkyChannels::xyz}, "cube", 16);
+  options.sun = SunPicture::file;
+  EXPECT_EQ(picture_files("a/b.exr", options)[3], "a/b_xyz_sun_px.exr");
 }
 
 TEST_F(SkyPicture, WrongRequestsAreRefused) {

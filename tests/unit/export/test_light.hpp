@@ -33,7 +33,7 @@ class FormulaLight final : public SkyLight {
   std::function<double(const Direction&)> luminance_;
   Direction sun_;
   double horizon_zenith_deg_;
-  WavelengthGrid wavelengths_{400.0, 700.0, 150.0};
+  WavelengthGrid wavelengths_{400.0, 600.0, 100.0};
 };
 
 inline double cosine(double degrees) { return std::cos(degrees * kRadiansPerDegree); }

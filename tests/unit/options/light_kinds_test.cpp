@@ -1,4 +1,4 @@
-#include "cli/light_kinds.hpp"
+#include "options/light_kinds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +57,13 @@ TEST(Time, IsWrittenInUtc) {
   EXPECT_EQ(again(day(), "2024-06-21"), "2024-06-21");
   EXPECT_NE(refusal(time_of_day(), "2024-06-21T11:00"), "read");
   EXPECT_NE(refusal(day(), "2024-02-30"), "read");
+}
+
+TEST(TimeOrSteps, IsWhicheverWasWritten) {
+  EXPECT_EQ(again(time_or_steps(), "2024-06-21T06:00+02:00"), "2024-06-21T04:00:00Z");
+  EXPECT_EQ(again(time_or_steps(), "2024-06-21T06:00Z/2024-06-21T07:00Z/30min"),
+            "2024-06-21T06:00:00Z/2024-06-21T07:00:00Z/30min");
+  EXPECT_NE(refusal(one_time(), "2024-06-21T06:00Z/2024-06-21T07:00Z/30min"), "");
 }
 
 TEST(TimeSteps, AreWrittenInUtc) {

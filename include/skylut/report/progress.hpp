@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace skylut::cli {
+namespace skylut {
 
 /// A line "solving the radiative transfer: 34 %, 2 s left" on standard error, rewritten in place; silent
 /// unless standard error is a terminal. The line is gone when a stage is done and when the object is.
@@ -34,4 +34,4 @@ class Progress {
 /// no sample of the rest, for threads begin together and tables are built first.
 std::string progress_text(double elapsed_s, std::size_t done, std::size_t all);
 
-}  // namespace skylut::cli
+}  // namespace skylut

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <complex>
+#include <variant>
 #include <vector>
 
-#include "options/kind.hpp"
+#include "kind.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/wavelength_grid.hpp"
@@ -32,6 +33,11 @@ Kind<UtcTime> day();
 
 /// Moments at equal distances, START/END/STEP: two moments with their zones and 10min, 1h or PT15M.
 Kind<TimeSteps> time_steps();
+
+/// A moment, where moments at equal distances could be meant, too; and either.
+using TimeOrSteps = std::variant<UtcTime, TimeSteps>;
+Kind<TimeOrSteps> one_time();
+Kind<TimeOrSteps> time_or_steps();
 
 /// A number within 0 to 1, or a name or file. Numbers are brought to their fewest digits.
 Kind<std::string> albedo();

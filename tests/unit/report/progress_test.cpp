@@ -1,8 +1,8 @@
-#include "cli/progress.hpp"
+#include "skylut/report/progress.hpp"
 
 #include <gtest/gtest.h>
 
-namespace skylut::cli {
+namespace skylut {
 namespace {
 
 TEST(Progress, NamesNoTimeBeforeThereIsEvidence) {
@@ -14,4 +14,4 @@ TEST(Progress, NamesNoTimeBeforeThereIsEvidence) {
 }
 
 }  // namespace
-}  // namespace skylut::cli
+}  // namespace skylut

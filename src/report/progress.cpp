@@ -1,11 +1,11 @@
-#include "progress.hpp"
+#include "skylut/report/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 
-namespace skylut::cli {
+namespace skylut {
 
 std::string progress_text(double elapsed_s, std::size_t done, std::size_t all) {
   constexpr double kEvidence_s = 1.0;
@@ -42,4 +42,4 @@ void Progress::show(std::string_view stage, std::size_t done, std::size_t all) {
   std::fflush(stderr);
 }
 
-}  // namespace skylut::cli
+}  // namespace skylut

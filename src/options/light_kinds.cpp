@@ -1,6 +1,6 @@
 #include "light_kinds.hpp"
 
-#include "options/number_kinds.hpp"
+#include "number_kinds.hpp"
 #include "skylut/site/place.hpp"
 
 namespace skylut::cli {
@@ -122,6 +122,25 @@ Kind<TimeSteps> time_steps() {
             return without_prefix(fmt::format("times '{}': ", text), [&] { return parse_time_steps(text); });
           },
           format_time_steps};
+}
+
+Kind<TimeOrSteps> one_time() {
+  const Kind<UtcTime> one = time_of_day();
+  return {one.placeholder, [one](const std::string& text) -> TimeOrSteps { return one.read(text); },
+          [one](const TimeOrSteps& time) { return one.write(std::get<UtcTime>(time)); }};
+}
+
+Kind<TimeOrSteps> time_or_steps() {
+  const Kind<UtcTime> one = time_of_day();
+  const Kind<TimeSteps> steps = time_steps();
+  const auto read = [one, steps](const std::string& text) -> TimeOrSteps {
+    if (text.find('/') == std::string::npos) return one.read(text);
+    return steps.read(text);
+  };
+  return {one.placeholder + "|" + steps.placeholder, read, [one, steps](const TimeOrSteps& time) {
+            const auto* const moment = std::get_if<UtcTime>(&time);
+            return moment != nullptr ? one.write(*moment) : steps.write(std::get<TimeSteps>(time));
+          }};
 }
 
 Kind<std::string> albedo() {
