@@ -6,15 +6,15 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/ray.hpp"
 #include "skylut/atmosphere/atmosphere.hpp"
 #include "skylut/profile/profile.hpp"
 #include "skylut/transfer/plane_parallel.hpp"
 #include "skylut/transfer/sky_radiance.hpp"
 #include "spherical/block_optics.hpp"
-#include "spherical/diffuse_ray.hpp"
 #include "spherical/discretisation.hpp"
 #include "spherical/kernel_choice.hpp"
-#include "spherical/ray_geometry.hpp"
+#include "spherical/ray_sources.hpp"
 #include "spherical/sweep_tables.hpp"
 #include "support/test_context.hpp"
 

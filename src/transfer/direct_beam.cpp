@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "geometry/shell_geometry.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
 #include "spherical/request_check.hpp"
-#include "spherical/shell_geometry.hpp"
 
 namespace skylut {
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diffuse_ray.hpp"
-#include "local_sun.hpp"
-#include "ray_geometry.hpp"
+#include "ray_sources.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
 
@@ -82,17 +80,6 @@ void solve_field(const Context& context, const Work& work, Block& block) {
 
 namespace {
 
-/// A line of sight as the blocks of all grids see it.
-struct TracedLine {
-  RayGeometry geometry;
-  LocalSun local_sun;
-
-  TracedLine(const CommonGrid& common, const LineOfSight& line, int azimuthal_orders)
-      : geometry(common, line.observer_km, line.view_zenith_deg, line.pairs),
-        local_sun(common.shells.planet_radius_km, geometry.start(), line.pairs, common.sun_interpolation,
-                  azimuthal_orders) {}
-};
-
 int most_azimuthal_orders(std::span<const Block> blocks) {
   int orders = 0;
   for (const Block& block : blocks)
@@ -104,17 +91,16 @@ int most_azimuthal_orders(std::span<const Block> blocks) {
 
 void answer_line_of_sight(const CommonGrid& common, const LineOfSight& line, std::span<const Block> blocks,
                           const KeepRadiance& keep) {
-  TracedLine traced(common, line, most_azimuthal_orders(blocks));
+  Ray ray(common.ray_space(), line.observer_km, line.view_zenith_deg, line.pairs,
+          most_azimuthal_orders(blocks));
   std::vector<float> radiance;
   for (const std::span<const Block> run : by_grid(blocks)) {
-    const DiffuseRay diffuse(run.front().grid->discretisation, line.observer_km, line.view_zenith_deg,
-                             traced.local_sun);
+    const RaySources sources(run.front().grid->discretisation, ray);
     for (const Block& block : run) {
       const BlockOptics& optics = *block.optics;
       radiance.resize(line.pairs.size() * static_cast<std::size_t>(optics.lanes));
-      block.field->line_of_sight(traced.geometry.view(), diffuse.view(),
-                                 traced.geometry.phases(optics).data(), traced.geometry.peaks(optics).data(),
-                                 radiance.data());
+      block.field->line_of_sight(ray.view(), sources.view(), optics.phases(ray).data(),
+                                 optics.peaks(ray).data(), radiance.data());
       keep(block, radiance);
     }
   }
@@ -122,20 +108,20 @@ void answer_line_of_sight(const CommonGrid& common, const LineOfSight& line, std
 
 void answer_in_parts(const CommonGrid& common, std::span<const LineOfSight> lines,
                      std::span<const Block> blocks, const KeepParts& keep) {
-  std::vector<std::unique_ptr<TracedLine>> traced;
+  std::vector<std::unique_ptr<Ray>> traced;
   std::vector<RayView> rays;
   for (const LineOfSight& line : lines) {
-    traced.push_back(std::make_unique<TracedLine>(common, line, most_azimuthal_orders(blocks)));
-    rays.push_back(traced.back()->geometry.view());
+    traced.push_back(std::make_unique<Ray>(common.ray_space(), line.observer_km, line.view_zenith_deg,
+                                           line.pairs, most_azimuthal_orders(blocks)));
+    rays.push_back(traced.back()->view());
   }
   std::vector<std::vector<float>> parts(lines.size());
   for (const std::span<const Block> run : by_grid(blocks)) {
-    std::vector<std::unique_ptr<DiffuseRay>> diffuse;
-    std::vector<DiffuseRayView> views;
+    std::vector<std::unique_ptr<RaySources>> sources;
+    std::vector<RaySourcesView> views;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      diffuse.push_back(std::make_unique<DiffuseRay>(run.front().grid->discretisation, lines[i].observer_km,
-                                                     lines[i].view_zenith_deg, traced[i]->local_sun));
-      views.push_back(diffuse.back()->view());
+      sources.push_back(std::make_unique<RaySources>(run.front().grid->discretisation, *traced[i]));
+      views.push_back(sources.back()->view());
     }
     for (const Block& block : run) {
       const BlockOptics& optics = *block.optics;

@@ -90,6 +90,27 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
   }
 }
 
+std::vector<float> BlockOptics::phases(const Ray& ray) const {
+  const auto stride = static_cast<std::size_t>(scatterers * lanes);
+  std::vector<float> phase(stride * ray.cos_scattering().size());
+  for (std::size_t pair = 0; pair < ray.cos_scattering().size(); ++pair)
+    phase_values(ray.cos_scattering()[pair], phase.data() + pair * stride);
+  return phase;
+}
+
+std::vector<float> BlockOptics::peaks(const Ray& ray) const {
+  const auto stride = static_cast<std::size_t>(2 * scatterers * lanes);
+  std::vector<float> peak;
+  for (std::size_t pair = 0; pair < ray.cos_scattering().size(); ++pair) {
+    if (ray.aureole()[pair] < 0) continue;
+    peak.resize(peak.size() + stride);
+    peak_values(ray.cos_scattering()[pair], peak.data() + peak.size() - stride);
+    if (const double weight = aureole_weight(ray.cos_scattering()[pair]); weight < 1.0)
+      for (std::size_t i = peak.size() - stride; i < peak.size(); ++i) peak[i] *= static_cast<float>(weight);
+  }
+  return peak;
+}
+
 void BlockOptics::phase_values(double cos_scattering_angle, float* value) const {
   const auto width = static_cast<std::size_t>(lanes);
   for (std::size_t lane = 0; lane < width; ++lane)

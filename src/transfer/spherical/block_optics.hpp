@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "../geometry/ray.hpp"
 #include "discretisation.hpp"
 #include "forward_peak_correction.hpp"
 #include "horizon_peak.hpp"
@@ -49,15 +50,20 @@ struct BlockOptics {
             .ground_albedo = ground_albedo.data()};
   }
 
-  /// Exact phase function of each scatterer and lane at one scattering angle: [scatterer][lane].
-  void phase_values(double cos_scattering_angle, float* value) const;
-  /// What spreads their peaks: [first, second][scatterer][lane].
-  void peak_values(double cos_scattering_angle, float* value) const;
+  /// Exact phase functions at the scattering angles of a ray's pairs: [pair][scatterer][lane].
+  std::vector<float> phases(const Ray& ray) const;
+  /// What spreads the phase functions' peaks, for the pairs close to the sun: [aureole][first,
+  /// second][scatterer][lane].
+  std::vector<float> peaks(const Ray& ray) const;
   /// What the parts of a lane's radiance are multiplied by: P of each scatterer, -Q1 of each, Q2 of each, 1.
   /// @param factor  for as many scatterers as there is room, at least the lane's own; those left over get 0
   void part_factors(int lane, double cos_scattering_angle, std::span<double> factor) const;
 
  private:
+  /// Of each scatterer and lane at one scattering angle: [scatterer][lane], [first, second][scatterer][lane].
+  void phase_values(double cos_scattering_angle, float* value) const;
+  void peak_values(double cos_scattering_angle, float* value) const;
+
   std::vector<std::vector<ForwardPeakCorrection>> spread_;  // [lane][the lane's own scatterers]
 };
 

@@ -2,12 +2,10 @@
 
 #include <vector>
 
-#include "interpolation.hpp"
+#include "../geometry/ray.hpp"
 #include "layer_merge.hpp"
-#include "shell_geometry.hpp"
 #include "skylut/scattering/optical_column.hpp"
 #include "skylut/transfer/quality.hpp"
-#include "slant_depth_grid.hpp"
 
 namespace skylut::transfer {
 
@@ -25,6 +23,11 @@ struct CommonGrid {
   CommonGrid(const Shells& shells, const DiscretisationOptions& discretisation);
   CommonGrid(const CommonGrid&) = delete;
   CommonGrid& operator=(const CommonGrid&) = delete;
+
+  RaySpace ray_space() const {
+    return {layers, slant_depth, sun_interpolation, discretisation.ray_step_km,
+            discretisation.sunbeam_step_km};
+  }
 
   DiscretisationOptions discretisation;
   Shells shells;         ///< the layers, homogeneous

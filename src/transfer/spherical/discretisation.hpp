@@ -2,11 +2,11 @@
 
 #include <vector>
 
+#include "../geometry/interpolation.hpp"
+#include "../geometry/shell_geometry.hpp"
 #include "angular_grid.hpp"
 #include "common_grid.hpp"
 #include "horizon_peak.hpp"
-#include "interpolation.hpp"
-#include "shell_geometry.hpp"
 #include "sweep_stencil.hpp"
 
 namespace skylut::transfer {

@@ -14,14 +14,7 @@ constexpr double kLeastPeak = 1e-3;
 constexpr double kLeastShare = 2e-3;
 constexpr int kMostTerms = 600;
 
-constexpr double kAureoleCosine = 0.9396926;  // 20°
-constexpr double kFadeCosine = 0.9659258;     // 15°
-
 }  // namespace
-
-double aureole_weight(double cos_scattering_angle) {
-  return std::clamp((cos_scattering_angle - kAureoleCosine) / (kFadeCosine - kAureoleCosine), 0.0, 1.0);
-}
 
 ForwardPeakCorrection::ForwardPeakCorrection(const PhaseFunction& phase, int max_l) {
   const double peak = phase.moment(max_l + 1);

@@ -7,10 +7,6 @@
 
 namespace skylut::transfer {
 
-/// The aureole, in which the spread of forward peaks is felt: 1 within 15° of the sun, 0 beyond 20°, linear
-/// in the cosine between, so that no edge shows where the correction ends.
-double aureole_weight(double cos_scattering_angle);
-
 /// Delta-M takes a share f = χ_{L+1} of the scattering, the forward peak, for light that goes straight on,
 /// and single scattering is then computed with the whole phase function but the thinner medium. Near the sun
 /// that is too bright: light scattered k times by the peak alone is counted as if once for each of the k, and

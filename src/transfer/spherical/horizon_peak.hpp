@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "../geometry/interpolation.hpp"
+#include "../geometry/shell_geometry.hpp"
 #include "angular_grid.hpp"
-#include "interpolation.hpp"
 #include "kernel_problem.hpp"
-#include "shell_geometry.hpp"
 #include "skylut/scattering/optical_column.hpp"
 
 namespace skylut::transfer {

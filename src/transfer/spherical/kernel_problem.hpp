@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "../geometry/ray_view.hpp"
 #include "angular_grid.hpp"
-#include "interpolation.hpp"
 #include "sweep_stencil.hpp"
 
 namespace skylut::transfer {
@@ -11,29 +11,6 @@ namespace skylut::transfer {
 // Plain views of the geometry and the optics of one block, as the kernels see them. The kernels are
 // compiled for several instruction sets, so they may call no inline function that the rest of the
 // program shares: hence pointers and counts instead of containers.
-
-/// Interpolation of the optical depth between a point and the sun: see SlantDepthGrid.
-struct SlantDepthWeights {
-  /// First of four entries of the table of sunbeams that rise from a level; kShadow: no sun here.
-  std::int32_t from_level = 0;
-  /// First of four entries of the table of half-lines from their lowest point; -1: the sunbeam comes from
-  /// above.
-  std::int32_t from_perigee = -1;
-  std::int32_t layer = 0;    ///< of the medium, that holds the point
-  float to_level_km = 0.0f;  ///< way from the point, upwards along the sunbeam's line, to the next level
-  float from_level_weight[4] = {};
-  float from_perigee_weight[4] = {};
-};
-inline constexpr std::int32_t kShadow = -1;
-
-/// Where the depth towards the sun is tabulated, and the paths through the layers from there.
-struct SlantDepthView {
-  int layers;  ///< of the medium
-  int level_points;
-  int perigee_points;
-  const float* from_level_path_km;    ///< [point][layer]
-  const float* from_perigee_path_km;  ///< [point][layer]
-};
 
 /// Where a grazing direction near the ground lies between the polar nodes and levels of HorizonNodes.
 struct HorizonWeights {
@@ -122,35 +99,6 @@ struct IterationReport {
   float error_left = 0.0f;  ///< the largest of the lanes' and sun nodes' own estimates at the end [I2]
 };
 
-/// One segment of a line of sight within one layer of the common.
-struct RaySegment {
-  int layer;
-  float length_km;
-};
-
-/// Part of a segment that one pair's sun reaches.
-struct LitPart {
-  int pair;
-  int near_end;    ///< index of its near end among the lit ends; the far end is the next one
-  bool continues;  ///< its near end is the far end of the pair's part before it
-  float start_km;  ///< of its near end, from the segment's near end
-  float length_km;
-};
-
-/// A line of sight through the medium and all the (sun, azimuth) pairs under which it is wanted.
-struct RayView {
-  int segments;
-  int pairs;
-  bool hits_ground;
-  const RaySegment* segment;
-  const LitPart* lit;    ///< of the first segment, then of the next
-  const int* first_lit;  ///< [segment], with one past the last
-  const int* aureole;    ///< [pair]: its place in the phase functions' peaks; -1: too far from the sun
-  const SlantDepthWeights* lit_end;     ///< ends of the lit parts
-  const SlantDepthWeights* ground_sun;  ///< [pair], where the ray ends on the ground
-  const float* ground_sun_cosine;       ///< [pair]
-};
-
 /// Point of a line of sight where the diffuse field is asked.
 struct SourcePoint {
   int sublayer;
@@ -168,7 +116,7 @@ struct SourcePiece {
 };
 
 /// The diffuse field along a line of sight, for all its pairs.
-struct DiffuseRayView {
+struct RaySourcesView {
   int pieces;
   int sources;
   int azimuth_stride;
@@ -187,14 +135,14 @@ class SolvedBlock {
   /// @param phase     exact phase functions at the pairs' scattering angles, [pair][scatterer][lane]
   /// @param peaks     ForwardPeakCorrection's coefficients, [aureole][first, second][scatterer][lane]
   /// @param radiance  sr⁻¹, [pair][lane]
-  virtual void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
+  virtual void line_of_sight(const RayView& ray, const RaySourcesView& diffuse, const float* phase,
                              const float* peaks, float* radiance) const = 0;
 
   /// The radiance in parts that know no phase function: Σ_i P_i A_i - Q1_i B_i + Q2_i C_i + D with the
   /// scatterers' amplitudes A, B, C (see single_scattering_amplitudes) and the diffuse light D, which may
   /// undershoot 0 where line_of_sight clamps. Several lines at a time.
   /// @param parts  sr⁻¹, [line] → [A of each scatterer, B of each, C of each, D][pair][lane]
-  virtual void parts_of_sights(int lines, const RayView* rays, const DiffuseRayView* diffuse,
+  virtual void parts_of_sights(int lines, const RayView* rays, const RaySourcesView* diffuse,
                                float* const* parts) const = 0;
 };
 

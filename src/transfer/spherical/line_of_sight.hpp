@@ -52,7 +52,7 @@ struct NodeUse {
 /// Scratch space of a line of sight.
 template <class V>
 struct RayScratch {
-  RayScratch(const SweepView& grid, const RayView& ray, const DiffuseRayView& diffuse)
+  RayScratch(const SweepView& grid, const RayView& ray, const RaySourcesView& diffuse)
       : far_depth(static_cast<std::size_t>(ray.pairs)),
         degree_weight(static_cast<std::size_t>(diffuse.sources * grid.legendre_terms)),
         peak_weight(static_cast<std::size_t>(diffuse.sources)),
@@ -75,7 +75,7 @@ struct RayScratch {
 template <class V>
 class RayScratches {
  public:
-  RayScratches(const SweepView& grid, int lines, const RayView* rays, const DiffuseRayView* diffuse)
+  RayScratches(const SweepView& grid, int lines, const RayView* rays, const RaySourcesView* diffuse)
       : scratch_(static_cast<std::size_t>(lines)) {
     for (int i = 0; i < lines; ++i) scratch_.data()[i] = new RayScratch<V>(grid, rays[i], diffuse[i]);
   }
@@ -201,7 +201,7 @@ inline void single_scattering_amplitudes(const SweepView& grid, const OpticsView
 /// own layers, weighted by the formal solution over every piece, in which the moments go linearly from one
 /// source point to the next; and what their deficits at the horizon contribute. [T1, L3, L6]
 template <class V>
-inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const DiffuseRayView& diffuse,
+inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const RaySourcesView& diffuse,
                           RayScratch<V>& scratch) {
   LaneArray<V>& degree_weight = scratch.degree_weight;
   LaneArray<V>& peak_weight = scratch.peak_weight;
@@ -250,7 +250,7 @@ inline void orders_under_nodes(const SweepView& grid, const V* weight, const V* 
 /// Contribution of one source point before its azimuth is known: azimuthal orders under the wanted sun nodes.
 /// [M3]
 template <class V>
-inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView& diffuse,
+inline void source_azimuthal_orders(const SweepView& grid, const RaySourcesView& diffuse,
                                     const Solution<V>& field, int at, RayScratch<V>& scratch) {
   const SourcePoint& source = diffuse.source[at];
   const float* polar = diffuse.polar_moment + at * grid.moments;
@@ -289,7 +289,7 @@ inline void source_azimuthal_orders(const SweepView& grid, const DiffuseRayView&
 
 /// Adds the light of one source point to every pair's radiance. [L3]
 template <class V>
-inline void add_source_light(const SweepView& grid, const RayView& ray, const DiffuseRayView& diffuse,
+inline void add_source_light(const SweepView& grid, const RayView& ray, const RaySourcesView& diffuse,
                              const Solution<V>& field, int at, RayScratch<V>& scratch, V* out) {
   const int stride = grid.azimuthal_orders;
   const InterpolationWeights* suns = diffuse.sun_weights[at];
@@ -310,7 +310,7 @@ inline void add_source_light(const SweepView& grid, const RayView& ray, const Di
 /// Adds the diffuse field's light to every pair's radiance. [L3]
 template <class V>
 inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
-                               const DiffuseRayView& diffuse, const Solution<V>& field,
+                               const RaySourcesView& diffuse, const Solution<V>& field,
                                RayScratch<V>& scratch, V* out) {
   weigh_sources(grid, optics, diffuse, scratch);
   for (int at = 0; at < diffuse.sources; ++at) add_source_light(grid, ray, diffuse, field, at, scratch, out);
@@ -318,7 +318,7 @@ inline void diffuse_scattering(const SweepView& grid, const OpticsView& optics, 
 
 /// Adds the light of the ground at the ray's end. [L4]
 template <class V>
-inline void ground_in_view(const OpticsView& optics, const RayView& ray, const DiffuseRayView& diffuse,
+inline void ground_in_view(const OpticsView& optics, const RayView& ray, const RaySourcesView& diffuse,
                            const SlantDepthToSun<V>& slant_depth, const Solution<V>& field, V* out) {
   V depth{};
   for (int segment = 0; segment < ray.segments; ++segment)

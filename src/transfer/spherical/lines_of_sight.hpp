@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "local_sun.hpp"
+#include "../geometry/local_sun.hpp"
 #include "skylut/transfer/sky_radiance.hpp"
 #include "sun_bands.hpp"
 

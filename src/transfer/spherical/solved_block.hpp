@@ -20,7 +20,7 @@ class SolvedLanes final : public SolvedBlock {
                   HorizonDeficit<V>(grid, optics, field.horizon_light())} {}
 
   /// Radiance of the ray for every pair: L1 + L3 + L4.
-  void line_of_sight(const RayView& ray, const DiffuseRayView& diffuse, const float* phase,
+  void line_of_sight(const RayView& ray, const RaySourcesView& diffuse, const float* phase,
                      const float* peaks, float* radiance) const override {
     const SweepView& grid = solution_.grid;
     RayScratch<V> scratch(grid, ray, diffuse);
@@ -34,7 +34,7 @@ class SolvedLanes final : public SolvedBlock {
 
   /// The same in parts, of several lines: the amplitudes of L1 and L5, then L3 + L4. The field is larger than
   /// a processor's caches; so the lines take its light level by level, all of them together.
-  void parts_of_sights(int lines, const RayView* rays, const DiffuseRayView* diffuse,
+  void parts_of_sights(int lines, const RayView* rays, const RaySourcesView* diffuse,
                        float* const* parts) const override {
     const SweepView& grid = solution_.grid;
     RayScratches<V> scratch(grid, lines, rays, diffuse);
@@ -49,7 +49,7 @@ class SolvedLanes final : public SolvedBlock {
   }
 
  private:
-  void finish_parts(const RayView& ray, const DiffuseRayView& diffuse, RayScratch<V>& scratch,
+  void finish_parts(const RayView& ray, const RaySourcesView& diffuse, RayScratch<V>& scratch,
                     float* parts) const {
     const std::size_t amplitudes = static_cast<std::size_t>(3 * optics_.scatterers * ray.pairs);
     LaneArray<V> amplitude(amplitudes);

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "../geometry/interpolation.hpp"
+#include "../geometry/shell_geometry.hpp"
 #include "angular_grid.hpp"
-#include "interpolation.hpp"
-#include "shell_geometry.hpp"
 
 namespace skylut::transfer {
 

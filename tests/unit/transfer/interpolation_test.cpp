@@ -1,4 +1,4 @@
-#include "spherical/interpolation.hpp"
+#include "geometry/interpolation.hpp"
 
 #include <gtest/gtest.h>
 

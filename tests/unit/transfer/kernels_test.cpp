@@ -3,12 +3,12 @@
 #include <cmath>
 #include <memory>
 
+#include "geometry/ray.hpp"
 #include "sky_cases.hpp"
 #include "skylut/core/errors.hpp"
 #include "spherical/block_optics.hpp"
-#include "spherical/diffuse_ray.hpp"
 #include "spherical/kernel_choice.hpp"
-#include "spherical/ray_geometry.hpp"
+#include "spherical/ray_sources.hpp"
 #include "spherical/solved_block.hpp"
 #include "spherical/sweep_tables.hpp"
 
@@ -69,13 +69,11 @@ std::vector<float> line_of_sight() {
                                                           report));
   EXPECT_EQ(report.end, IterationReport::kConverged);
   const std::vector<SunAzimuth> pairs{{30.0, 0.0}, {80.0, 120.0}};
-  const RayGeometry geometry(common, 0.0, 40.0, pairs);
-  LocalSun local_sun(6371.0, geometry.start(), pairs, common.sun_interpolation,
-                     grid.angles.azimuthal_orders());
-  const DiffuseRay diffuse(grid, 0.0, 40.0, local_sun);
+  Ray ray(common.ray_space(), 0.0, 40.0, pairs, grid.angles.azimuthal_orders());
+  const RaySources sources(grid, ray);
   std::vector<float> radiance(pairs.size() * kLaneCount<V>);
-  block->line_of_sight(geometry.view(), diffuse.view(), geometry.phases(optics).data(),
-                       geometry.peaks(optics).data(), radiance.data());
+  block->line_of_sight(ray.view(), sources.view(), optics.phases(ray).data(), optics.peaks(ray).data(),
+                       radiance.data());
   return radiance;
 }
 

@@ -1,4 +1,4 @@
-#include "spherical/shell_geometry.hpp"
+#include "geometry/shell_geometry.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "spherical/slant_depth_grid.hpp"
+#include "geometry/slant_depth_grid.hpp"
 
 #include <gtest/gtest.h>
 

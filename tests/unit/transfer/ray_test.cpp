@@ -1,4 +1,4 @@
-#include "spherical/ray_geometry.hpp"
+#include "geometry/ray.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 
 #include "sky_cases.hpp"
 #include "skylut/core/constants.hpp"
+#include "spherical/common_grid.hpp"
 
 namespace skylut::transfer {
 namespace {
@@ -16,19 +17,19 @@ const CommonGrid& common() {
 }
 
 /// A ray with the view that the kernel gets of it.
-struct Ray {
-  Ray(double observer_km, double zenith_deg, std::vector<SunAzimuth> pairs = {{45.0, 30.0}})
+struct ViewedRay {
+  ViewedRay(double observer_km, double zenith_deg, std::vector<SunAzimuth> pairs = {{45.0, 30.0}})
       : trace(common().layers, common().discretisation.ray_step_km, observer_km,
               std::cos(zenith_deg * kRadiansPerDegree)),
-        geometry(common(), observer_km, zenith_deg, pairs),
-        view(geometry.view()) {}
+        ray(common().ray_space(), observer_km, zenith_deg, pairs, 2),
+        view(ray.view()) {}
   double length() const {
     double sum = 0.0;
     for (int i = 0; i < view.segments; ++i) sum += view.segment[i].length_km;
     return sum;
   }
   RayTrace trace;
-  RayGeometry geometry;
+  Ray ray;
   RayView view;
 };
 
@@ -47,11 +48,11 @@ double exact_length(double observer_km, double zenith_deg) {
 }
 
 // Segments add up to the ray and lie within their layers; points follow the law of cosines.
-TEST(RayGeometry, SegmentsAddUpToTheRay) {
+TEST(Ray, SegmentsAddUpToTheRay) {
   for (const double observer : {0.0, 0.01, 3.0, 12.0, 30.0, 99.0, 100.0})
     for (const double zenith : {0.0, 30.0, 75.0, 89.0, 90.0, 91.0, 93.0, 96.0, 120.0, 180.0}) {
       if (observer == 0.0 && zenith > 90.0) continue;
-      const Ray ray(observer, zenith);
+      const ViewedRay ray(observer, zenith);
       const double expected = exact_length(observer, zenith);
       // Each length rounds to single precision; at 100 km and 90° there is no air ahead. In the tangent
       // direction (r cos)² known to 1e-16 r² leaves 1e-4 km.
@@ -76,10 +77,10 @@ TEST(RayGeometry, SegmentsAddUpToTheRay) {
 }
 
 // A hair (1e-6°: 3.6 milliarcseconds) above the horizon the ray goes on to the other side, below it ends.
-TEST(RayGeometry, AHairAboveAndBelowTheHorizon) {
+TEST(Ray, AHairAboveAndBelowTheHorizon) {
   for (const double observer : {0.001, 1.0, 12.0, 30.0}) {
-    const Ray above(observer, horizon_deg(observer) - 1e-6);
-    const Ray below(observer, horizon_deg(observer) + 1e-6);
+    const ViewedRay above(observer, horizon_deg(observer) - 1e-6);
+    const ViewedRay below(observer, horizon_deg(observer) + 1e-6);
     EXPECT_FALSE(above.view.hits_ground);
     EXPECT_TRUE(below.view.hits_ground);
     const double to_tangent = std::sqrt(observer * (2.0 * 6371.0 + observer));
@@ -88,9 +89,9 @@ TEST(RayGeometry, AHairAboveAndBelowTheHorizon) {
     EXPECT_NEAR(below.length(), to_tangent, 0.5) << observer;
     EXPECT_NEAR(above.length(), to_tangent + beyond, 0.01) << observer;
   }
-  const Ray level(0.0, 90.0);
+  const ViewedRay level(0.0, 90.0);
   EXPECT_FALSE(level.view.hits_ground);
-  EXPECT_TRUE(Ray(0.0, 90.0001).view.hits_ground);
+  EXPECT_TRUE(ViewedRay(0.0, 90.0001).view.hits_ground);
 }
 
 /// Points of one ray and whether the sun reaches them, by vectors.
@@ -129,7 +130,7 @@ struct Shadow {
   double r, zenith, sun, azimuth;
 };
 
-TEST(RayGeometry, LitPartsEndOnTheShadow) {
+TEST(Ray, LitPartsEndOnTheShadow) {
   int dark = 0;
   for (const double observer : {0.0, 12.0, 30.0})
     for (const double zenith : {0.0, 60.0, 85.0, 90.0, 93.0, 97.0})
@@ -137,7 +138,7 @@ TEST(RayGeometry, LitPartsEndOnTheShadow) {
         for (const double azimuth : {0.0, 40.0, 90.0, 180.0}) {
           if (observer == 0.0 && zenith > 90.0) continue;
           const SunAzimuth pair{sun, azimuth};
-          const Ray ray(observer, zenith, {pair});
+          const ViewedRay ray(observer, zenith, {pair});
           double lit = 0.0;
           for (int i = 0; i < ray.view.first_lit[ray.view.segments]; ++i) lit += ray.view.lit[i].length_km;
           const double expected = Shadow(observer, zenith, pair).lit_length(ray.length());

@@ -1,4 +1,4 @@
-#include "diffuse_ray.hpp"
+#include "ray_sources.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,24 +8,22 @@
 
 namespace skylut::transfer {
 
-DiffuseRay::DiffuseRay(const Discretisation& grid, double observer_km, double view_zenith_deg,
-                       LocalSun& local_sun)
-    : azimuth_stride_(local_sun.azimuthal_orders()) {
-  const RayTrace trace(grid.ray_levels, grid.common.discretisation.ray_step_km, observer_km,
-                       std::cos(view_zenith_deg * kRadiansPerDegree));
+RaySources::RaySources(const Discretisation& grid, Ray& ray) : azimuth_stride_(ray.azimuthal_orders()) {
+  const RayTrace trace(grid.ray_levels, grid.common.discretisation.ray_step_km, ray.observer_km(),
+                       ray.cos_view());
   add_pieces(grid, trace.points);
   for (const RayPoint& point : source_at_) {
     for (int m = 0; m < grid.angles.azimuthal_orders(); ++m)
       for (const double value : normalised_legendre(m, grid.angles.resolution().max_l, -point.cos_view))
         polar_moment_.push_back(static_cast<float>(value));
     horizon_.push_back(grid.horizon.at(-point.cos_view, point.altitude_km));
-    const LocalSun::Point& local = local_sun.at(point);
+    const LocalSun::Point& local = ray.suns_at(point);
     sun_weights_.push_back(local.sun_weights.data());
     azimuth_factor_.push_back(local.azimuth_factor.data());
   }
 }
 
-void DiffuseRay::add_pieces(const Discretisation& grid, const std::vector<RayPoint>& points) {
+void RaySources::add_pieces(const Discretisation& grid, const std::vector<RayPoint>& points) {
   const auto add_source = [&](int sublayer, const RayPoint& point) {
     const double lower_km = grid.sublayers.level_km(sublayer);
     const double thickness_km = grid.sublayers.level_km(sublayer + 1) - lower_km;
@@ -53,7 +51,7 @@ void DiffuseRay::add_pieces(const Discretisation& grid, const std::vector<RayPoi
   add_source(sublayer, points.back());
 }
 
-DiffuseRayView DiffuseRay::view() const {
+RaySourcesView RaySources::view() const {
   return {.pieces = static_cast<int>(piece_.size()),
           .sources = static_cast<int>(source_.size()),
           .azimuth_stride = azimuth_stride_,

@@ -1,4 +1,4 @@
-#include "spherical/diffuse_ray.hpp"
+#include "spherical/ray_sources.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,29 +30,29 @@ struct Grids {
 };
 
 /// A ray under one sun.
-struct Ray {
-  Ray(const Grids& grids, double observer_km, double zenith_deg, const SunAzimuth& pair)
+struct SourcesOfRay {
+  SourcesOfRay(const Grids& grids, double observer_km, double zenith_deg, const SunAzimuth& pair)
       : trace(grids.grid.ray_levels, grids.common.discretisation.ray_step_km, observer_km,
               std::cos(zenith_deg * kRadiansPerDegree)),
-        local_sun(6371.0, trace.points.front(), std::span(&pair, 1), grids.common.sun_interpolation,
-                  grids.grid.angles.azimuthal_orders()),
-        diffuse(grids.grid, observer_km, zenith_deg, local_sun),
-        view(diffuse.view()) {}
+        ray(grids.common.ray_space(), observer_km, zenith_deg, std::span(&pair, 1),
+            grids.grid.angles.azimuthal_orders()),
+        sources(grids.grid, ray),
+        view(sources.view()) {}
   RayTrace trace;
-  LocalSun local_sun;
-  DiffuseRay diffuse;
-  DiffuseRayView view;
+  Ray ray;
+  RaySources sources;
+  RaySourcesView view;
 };
 
 // Pieces add up to the ray and follow each other between the sources.
-TEST(DiffuseRay, PiecesJoinTheSources) {
+TEST(RaySources, PiecesJoinTheSources) {
   const Grids grids;
   ASSERT_LT(grids.common.merge.shells().levels_km.size(), grids.common.shells.levels_km.size());
   for (const double observer : {0.0, 0.3, 12.0, 29.0})
     for (const double zenith : {0.0, 60.0, 90.0, 93.0, 150.0}) {
       if (observer == 0.0 && zenith > 90.0) continue;
-      const Ray ray(grids, observer, zenith, {45.0, 30.0});
-      const DiffuseRayView& view = ray.view;
+      const SourcesOfRay ray(grids, observer, zenith, {45.0, 30.0});
+      const RaySourcesView& view = ray.view;
       double length = 0.0;
       for (int i = 0; i < view.pieces; ++i) {
         const SourcePiece& piece = view.piece[i];
@@ -77,12 +77,12 @@ TEST(DiffuseRay, PiecesJoinTheSources) {
 
 // The local sun and azimuth at every source, by vectors: the weights interpolate the zenith angle itself, and
 // the factor of order 1 is twice the cosine of the azimuth.
-TEST(DiffuseRay, LocalSunAndAzimuth) {
+TEST(RaySources, LocalSunAndAzimuth) {
   const Grids grids;
   const SunAzimuth pair{88.0, 70.0};
   const double zenith = 85.0 * kRadiansPerDegree;
-  const Ray ray(grids, 2.0, 85.0, pair);
-  const DiffuseRayView& view = ray.view;
+  const SourcesOfRay ray(grids, 2.0, 85.0, pair);
+  const RaySourcesView& view = ray.view;
   const double sun = pair.sun_zenith_deg * kRadiansPerDegree;
   const double azimuth = pair.relative_azimuth_deg * kRadiansPerDegree;
   const double towards_sun[3] = {std::sin(sun), 0.0, std::cos(sun)};

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernel_problem.hpp"
+#include "ray_view.hpp"
 #include "shell_geometry.hpp"
 
 namespace skylut::transfer {

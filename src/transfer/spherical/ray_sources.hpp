@@ -2,23 +2,22 @@
 
 #include <vector>
 
+#include "../geometry/ray.hpp"
 #include "discretisation.hpp"
 #include "kernel_problem.hpp"
-#include "local_sun.hpp"
-#include "ray_trace.hpp"
 
 namespace skylut::transfer {
 
 /// Where and how a line of sight asks the diffuse field of one discretisation: source points, with the
 /// direction of the light and, for every (sun, azimuth) pair, the local solar zenith angle and azimuth there;
 /// between them the pieces within one layer of the medium. [theory.md §4.6, G9-G11, L3]
-class DiffuseRay {
+class RaySources {
  public:
-  /// @param local_sun  of the same ray, with enough azimuthal orders; must outlive this object
-  DiffuseRay(const Discretisation& grid, double observer_km, double view_zenith_deg, LocalSun& local_sun);
+  /// @param ray  with enough azimuthal orders; must outlive this object
+  RaySources(const Discretisation& grid, Ray& ray);
 
   /// The kernel's view; it points into this object.
-  DiffuseRayView view() const;
+  RaySourcesView view() const;
 
  private:
   void add_pieces(const Discretisation& grid, const std::vector<RayPoint>& points);

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel_problem.hpp"
 #include "ray_trace.hpp"
+#include "ray_view.hpp"
 #include "slant_depth_grid.hpp"
 
 namespace skylut::transfer {
