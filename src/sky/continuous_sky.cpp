@@ -21,12 +21,13 @@ constexpr int kPoints = 6;
 constexpr int kAzimuths = 9;
 constexpr int kMostAzimuths = 65;
 
-/// What a patch is compared in: lines of sight at three zenith angles and three azimuths each. The first two
-/// lie between the patch's points, at its azimuths, the third at a point, between the azimuths.
+/// What a patch is compared in: lines of sight at three zenith angles. The first two lie between the patch's
+/// points, the third at one. The first azimuths are the patch's own, the others lie between them.
 struct Comparison {
   double zenith_deg;
   std::vector<double> azimuths_deg;
-  std::vector<float> exact;  // [azimuth][wavelength]
+  std::size_t at_nodes;      ///< of the azimuths
+  std::vector<float> exact;  ///< [azimuth][wavelength]
 };
 
 /// A patch while it is built.
@@ -34,8 +35,8 @@ struct Draft {
   SkyPatch patch;
   int refinements = 0;
   std::vector<Comparison> comparisons;
-  double zenith_error = 0.0;
-  double azimuth_error = 0.0;
+  double zenith_error = 0.0;   ///< where the azimuth is the patch's own
+  double azimuth_error = 0.0;  ///< between the patch's azimuths
 
   double error() const { return std::max(zenith_error, azimuth_error); }
 };
@@ -47,13 +48,17 @@ double between(const SkyPatch& patch, int point) {
 std::vector<Comparison> comparisons_of(const SkyPatch& patch) {
   if (patch.points() < kPoints) return {};
   const std::vector<double>& own = patch.azimuths_deg();
-  const std::vector<double> at_nodes{own.front(), own[own.size() / 2], own.back()};
-  std::vector<Comparison> all{{between(patch, 0), at_nodes, {}}, {between(patch, 2), at_nodes, {}}};
-  if (own.size() > 1) {
-    const double half = 0.5 * own[1];
-    all.push_back({patch.point_zenith_deg(2), {half, 90.0 - half, 180.0 - half}, {}});
-  }
-  return all;
+  const std::size_t last = own.size() - 1;
+  std::vector<double> azimuths_deg;
+  for (const std::size_t node : {std::size_t{0}, last / 4, last / 2, 3 * last / 4, last})
+    azimuths_deg.push_back(own[node]);
+  const std::size_t at_nodes = azimuths_deg.size();
+  if (last > 0)
+    for (const std::size_t node : {std::size_t{0}, last / 4, last / 2, 3 * last / 4, last - 1})
+      azimuths_deg.push_back(own[node] + 0.5 * own[1]);
+  return {{between(patch, 0), azimuths_deg, at_nodes, {}},
+          {between(patch, 2), azimuths_deg, at_nodes, {}},
+          {patch.point_zenith_deg(2), azimuths_deg, at_nodes, {}}};
 }
 
 /// The relative error of luminance, or a third of that of the worst wavelength if it is more.
@@ -154,13 +159,12 @@ class PatchBuilder {
     std::vector<float> row(draft.patch.row_size());
     std::vector<float> scratch;
     std::vector<float> found(width);
-    for (std::size_t i = 0; i < draft.comparisons.size(); ++i) {
-      const Comparison& with = draft.comparisons[i];
+    for (const Comparison& with : draft.comparisons) {
       draft.patch.row(with.zenith_deg, row);
-      double& error = i < 2 ? draft.zenith_error : draft.azimuth_error;
       for (std::size_t k = 0; k < with.azimuths_deg.size(); ++k) {
-        SkyPatch::radiance(sky_.factors_of_point(), row,
-                           patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_), scratch, found);
+        SkyPatch::radiance(sky_, row, patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_),
+                           scratch, found);
+        double& error = k < with.at_nodes ? draft.zenith_error : draft.azimuth_error;
         error = std::max(error, relative_error(sky_, found, std::span(with.exact).subspan(k * width, width)));
       }
     }
@@ -168,7 +172,9 @@ class PatchBuilder {
 
   void refine(const Draft& draft, std::vector<Draft>& next) const {
     const int azimuths = draft.patch.azimuths();
-    const bool around = draft.azimuth_error > options_.tolerance && azimuths < kMostAzimuths;
+    // Between the azimuths both errors are felt: the azimuths are too few if it is clearly more there.
+    const bool around = draft.azimuth_error > std::max(options_.tolerance, 1.5 * draft.zenith_error) &&
+                        azimuths < kMostAzimuths;
     const int finer = around ? 2 * azimuths - 1 : azimuths;
     if (draft.zenith_error > options_.tolerance || !around) {
       for (const ZenithPanel& half : draft.patch.panel().halves())

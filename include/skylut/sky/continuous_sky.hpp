@@ -17,7 +17,7 @@ struct ContinuousSkyOptions {
   /// 0.1]
   double tolerance = 1e-3;
   /// How often a patch may be divided or get more azimuths, [0, 6].
-  int most_refinements = 3;
+  int most_refinements = 4;
 };
 
 /// The sky of one observer under one sun as a handful of smooth functions, which answers in any direction for
