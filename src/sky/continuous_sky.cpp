@@ -162,8 +162,8 @@ class PatchBuilder {
     for (const Comparison& with : draft.comparisons) {
       draft.patch.row(with.zenith_deg, row);
       for (std::size_t k = 0; k < with.azimuths_deg.size(); ++k) {
-        SkyPatch::radiance(sky_, row, patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_),
-                           scratch, found);
+        SkyPatch::radiance(sky_.factors_of_point(), row,
+                           patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_), scratch, found);
         double& error = k < with.at_nodes ? draft.zenith_error : draft.azimuth_error;
         error = std::max(error, relative_error(sky_, found, std::span(with.exact).subspan(k * width, width)));
       }
