@@ -41,9 +41,12 @@ class Lookups(unittest.TestCase):
     def worst_deg(self, lookup, pixel, width, height):
         return max(sky.between_deg(place, sky.angles(*lookup(pixel, width, height, sky.vector(*place)))) for place in SOME)
 
-    def test_latlong_interpolates_to_the_direction_itself(self):
-        # Two pixels of 0.7 degrees on a chord: 0.7°/2 times its versine, far below a thousandth.
-        self.assertLess(self.worst_deg(lookups.openexr_latlong, latlong_pixel(512, 256), 512, 256), 1e-3)
+    def test_openexr_is_off_by_half_a_pixel_at_most_and_by_nothing_in_the_middle(self):
+        pixel = latlong_pixel(512, 256)
+        self.assertLess(self.worst_deg(lookups.openexr_latlong, pixel, 512, 256), 0.5 * math.sqrt(2) * 180 / 256)
+        zenith, azimuth = sky.angles(*lookups.openexr_latlong(pixel, 512, 256, sky.vector(90, 90)))
+        self.assertAlmostEqual(zenith, 90, places=6)
+        self.assertAlmostEqual(azimuth, 90, places=6)
 
     def test_mitsuba_is_off_by_half_a_row_at_most(self):
         self.assertLess(self.worst_deg(lookups.mitsuba, latlong_pixel(512, 256), 512, 256), 0.5 * 180 / 256)

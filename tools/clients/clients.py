@@ -2,6 +2,7 @@
 
 import importlib.util
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -55,8 +56,10 @@ class Blender:
         request, answer = work / "blender-request.json", work / "blender-answer.json"
         request.write_text(json.dumps({"picture": str(sky.picture("latlong")), "directions": ASKED,
                                        "sun": vector(*SUN), "sun_rgb_lux": sun_rgb}), encoding="utf-8")
-        done = subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "-P", HERE / "blender_lookup.py",
-                               "--", request, answer], capture_output=True, text=True, check=False)
+        # Blender looks for its Python's modules beside the first python3 in the PATH: Debian's.
+        environment = {**os.environ, "PATH": os.pathsep.join(["/usr/bin", os.environ["PATH"]])}
+        done = subprocess.run([shutil.which("blender"), "-b", "--factory-startup", "--python-exit-code", "1", "-P", HERE / "blender_lookup.py",
+                               "--", request, answer], capture_output=True, text=True, check=False, env=environment)
         if done.returncode != 0:
             raise RuntimeError(f"blender: {(done.stderr or done.stdout).strip()[-2000:]}")
         seen = json.loads(answer.read_text(encoding="utf-8"))

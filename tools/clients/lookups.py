@@ -46,10 +46,11 @@ def mitsuba(pixel, width, height, direction):
 
 def openexr_latlong(pixel, width, height, direction):
     """The latitude-longitude maps of OpenEXR's technical introduction: +Y up; longitude atan2(x, z) from +π at the left to -π at the
-    right, latitude from +π/2 in the first row. The picture as it is has z east and x north."""
+    right, latitude from +π/2 in the first row, with the centres of the outermost pixels on the borders: a half pixel off at most, and
+    nothing in the middle. The picture as it is has z east and x north."""
     east, north, up = direction
     x, y, z = north, up, east
     longitude = math.atan2(x, z)
     latitude = math.asin(max(-1.0, min(1.0, y)))
-    return bilinear(pixel, width, height, (0.5 - longitude / (2 * math.pi)) * width - 0.5,
-                    (0.5 - latitude / math.pi) * height - 0.5)
+    return bilinear(pixel, width, height, (0.5 - longitude / (2 * math.pi)) * (width - 1),
+                    (0.5 - latitude / math.pi) * (height - 1))

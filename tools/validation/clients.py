@@ -24,8 +24,8 @@ def run(context):
     section.add("A sky with the sun at 55°, aerosol optical depth 0.1, loaded by other programs, which are asked for its radiance in ten "
                 "directions and within 1° of the sun. Compared with our lines of sight there (`skylut map --directions --exact`), channel "
                 "by channel in linear Rec. 709; the worst of each. White planes: against `skylut sun`. pbrt, Mitsuba and OpenEXR's latlong "
-                "are looked up by a few lines of Python after their documentation, not by the programs themselves. Pictures: latlong 1024 "
-                "rows, cube 512, octahedral 2048.")
+                "are looked up by a few lines of Python after their documentation, not by the programs themselves. Pictures: latlong 1536 "
+                "rows, cube 768, octahedral 3072.")
     section.add(table(["what", "found", "asked for"], [[f["what"], f["found"], f["wanted"]] for f in findings]))
     skipped = [line for line in done.stdout.splitlines() if ": skipped: " in line]
     if skipped:

@@ -1,12 +1,13 @@
 """The continuous sky: its own accuracy against lines of sight, illuminance from pictures, what pictures and suns cost."""
 
 import csv
-import os
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 
+from .program import ProgramFailed
 from .text import Section, percent, table
 
 # As it is built with -DSKYLUT_BUILD_BENCHMARKS=ON, beside bin/.
@@ -83,15 +84,22 @@ def add_illuminance(context, section):
                   percent(ILLUMINANCE_TOLERANCE), worst <= ILLUMINANCE_TOLERANCE)
 
 
+# A small process of its own, because a child's peak memory begins with that of the process that starts it.
+MEASURE = """import resource, subprocess, sys
+code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL).returncode
+used = resource.getrusage(resource.RUSAGE_CHILDREN)
+print(used.ru_utime + used.ru_stime, used.ru_maxrss)
+sys.exit(code)"""
+
+
 def cost(context, *arguments):
     """CPU seconds and peak memory in MB of one run of the program on one thread."""
-    with tempfile.TemporaryFile() as out:
-        child = subprocess.Popen([context.program.path, *map(str, arguments), "--threads", "1"], stdout=out, stderr=out)
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-    if child.returncode != 0:
-        raise RuntimeError(f"skylut {' '.join(map(str, arguments))}: exit {child.returncode}")
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+    done = subprocess.run([sys.executable, "-c", MEASURE, context.program.path, *map(str, arguments), "--threads", "1"],
+                          capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise ProgramFailed(f"skylut {' '.join(map(str, arguments))}: {done.stderr.strip()}")
+    seconds, kilobytes = map(float, done.stdout.split())
+    return seconds, kilobytes / 1024
 
 
 def add_costs(context, section):
