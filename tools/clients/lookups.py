@@ -36,7 +36,7 @@ def bilinear(pixel, width, height, column, row):
 
 def mitsuba(pixel, width, height, direction):
     """Mitsuba 3, emitter "envmap": +Y up, u = atan2(x, -z)/2π, v = acos(y)/π. The picture as it is puts x north and z east. Columns
-    are looked up at their centres (since 3.6 or so), but the first and last row lie on the poles."""
+    are looked up at their centres (in versions that shift by half a texel), but the first and last row lie on the poles."""
     east, north, up = direction
     x, y, z = north, up, east
     u = math.atan2(x, -z) / (2 * math.pi) % 1
