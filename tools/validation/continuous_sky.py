@@ -1,6 +1,7 @@
 """The continuous sky: its own accuracy against lines of sight, illuminance from pictures, what pictures and suns cost."""
 
 import csv
+import math
 import pathlib
 import re
 import subprocess
@@ -36,8 +37,10 @@ def add_accuracy(context, section):
                 "them within 6° of the horizon and a quarter within 10° of the sun. *99 %*: the error that 99 of 100 directions stay "
                 "below at their worst wavelength; the worst case of the line. *CPU*: building one sky of 8 wavelengths.")
 
+    broken = [row for row in rows if not math.isfinite(row["worst"])]
+
     def line(label, chosen):
-        worst = max(chosen, key=lambda row: row["worst"])
+        worst = max((row for row in chosen if row not in broken), key=lambda row: row["worst"])
         return [label, percent(max(row["worst_Y"] for row in chosen)), percent(max(row["p99"] for row in chosen)),
                 percent(worst["worst"]), f"{worst['altitude_km']:g} km, load {worst['aod500']:g}, sun {worst['sun_zenith_deg']:g}°, zenith angle "
                 f"{worst['worst_zenith_deg']:.1f}°, {worst['worst_nm']:g} nm", f"{max(row['cpu_s'] for row in chosen):.2f} s"]
@@ -46,6 +49,12 @@ def add_accuracy(context, section):
              for key, label, unit in (("altitude_km", "altitude", " km"), ("aod500", "aod500", ""), ("sun_zenith_deg", "sun", "°"))
              for value in dict.fromkeys(row[key] for row in rows)]
     section.add(table(["of the cases with", "luminance, worst", "any wavelength, 99 %", "any wavelength, worst", "there", "CPU, at most"], lines))
+    if broken:
+        section.add("**Not a number** in some direction, and left out of the worst of any wavelength above: " +
+                    "; ".join(f"{row['altitude_km']:g} km, load {row['aod500']:g}, sun {row['sun_zenith_deg']:g}°, zenith angle "
+                              f"{row['worst_zenith_deg']:.2f}°" for row in broken) + ".")
+    section.check("the continuous sky is a number everywhere", f"{len(rows)} skies × 2000 directions", f"not in {len(broken)} skies", "0",
+                  not broken)
     quick = [row for row in rows if row["sun_zenith_deg"] <= 88]
     section.check("lines of sight, the continuous sky's luminance", f"{len(rows)} skies × 2000 directions",
                   f"worst {percent(max(row['worst_Y'] for row in rows))}; suns to 88°: {percent(max(row['worst_Y'] for row in quick))}", "–", None)
