@@ -40,8 +40,11 @@ def add_accuracy(context, section):
     broken = [row for row in rows if not math.isfinite(row["worst"])]
 
     def line(label, chosen):
-        worst = max((row for row in chosen if row not in broken), key=lambda row: row["worst"])
-        return [label, percent(max(row["worst_Y"] for row in chosen)), percent(max(row["p99"] for row in chosen)),
+        numbers = [row for row in chosen if row not in broken]
+        if not numbers:
+            return [label, "–", "–", "–", "not a number in any of these skies, see below", "–"]
+        worst = max(numbers, key=lambda row: row["worst"])
+        return [label, percent(max(row["worst_Y"] for row in numbers)), percent(max(row["p99"] for row in numbers)),
                 percent(worst["worst"]), f"{worst['altitude_km']:g} km, load {worst['aod500']:g}, sun {worst['sun_zenith_deg']:g}°, zenith angle "
                 f"{worst['worst_zenith_deg']:.1f}°, {worst['worst_nm']:g} nm", f"{max(row['cpu_s'] for row in chosen):.2f} s"]
 
@@ -50,9 +53,9 @@ def add_accuracy(context, section):
              for value in dict.fromkeys(row[key] for row in rows)]
     section.add(table(["of the cases with", "luminance, worst", "any wavelength, 99 %", "any wavelength, worst", "there", "CPU, at most"], lines))
     if broken:
-        section.add("**Not a number** in some direction, and left out of the worst of any wavelength above: " +
+        section.add("**Not a number** in some direction, and left out above with their skies: " +
                     "; ".join(f"{row['altitude_km']:g} km, load {row['aod500']:g}, sun {row['sun_zenith_deg']:g}°, zenith angle "
-                              f"{row['worst_zenith_deg']:.2f}°" for row in broken) + ".")
+                              f"{row['worst_zenith_deg']:.2f}°" for row in broken[:8]) + (f"; and {len(broken) - 8} more." if len(broken) > 8 else "."))
     section.check("the continuous sky is a number everywhere", f"{len(rows)} skies × 2000 directions", f"not in {len(broken)} skies", "0",
                   not broken)
     quick = [row for row in rows if row["sun_zenith_deg"] <= 88]
