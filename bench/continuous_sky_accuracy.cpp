@@ -98,8 +98,10 @@ int main(int argc, char** argv) {
           double Y = 0.0;
           for (std::size_t k = 0; k < width; ++k) {
             Y += solved->colour_weights()[k].Y * static_cast<double>(exact[k]);
+            const double ratio = static_cast<double>(found[i * width + k] / exact[k]);
+            // What is not a number is no small error, and would be less than none in every comparison.
             const double relative =
-                exact[k] > 0.0f ? std::abs(static_cast<double>(found[i * width + k] / exact[k]) - 1.0) : 0.0;
+                exact[k] > 0.0f ? (std::isfinite(ratio) ? std::abs(ratio - 1.0) : HUGE_VAL) : 0.0;
             if (relative > error) {
               error = relative;
               nm = scene.wavelengths[k];

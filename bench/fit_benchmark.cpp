@@ -10,10 +10,13 @@ namespace skylut {
 namespace {
 
 void fit_one_sky(benchmark::State& state) {
-  const Direction sun{static_cast<double>(state.range(0)), 90.0};
-  const SkyScene scene{
-      test::standard_atmosphere(),       {0.0}, {{TurbidityKind::aod500, 0.5}}, {sun}, directions_utm271(),
-      WavelengthGrid(400.0, 700.0, 20.0)};
+  SkyScene scene;
+  scene.atmosphere = test::standard_atmosphere();
+  scene.altitudes_km = {0.0};
+  scene.turbidities = {{TurbidityKind::aod500, 0.5}};
+  scene.suns = {{static_cast<double>(state.range(0)), 90.0}};
+  scene.directions = directions_utm271();
+  scene.wavelengths = WavelengthGrid(400.0, 700.0, 20.0);
   const SkyMap map = simulate_sky(test::context, scene, {}).front();
   for (auto _ : state) benchmark::DoNotOptimize(fit_sky(map.directions, map.colour, map.sun, {}));
 }

@@ -10,12 +10,12 @@ namespace skylut {
 namespace {
 
 void default_table(benchmark::State& state) {
-  const SkyScene scene{
-      test::standard_atmosphere(),
-      {0.0, 6.0, 12.0, 20.0, 30.0},
-      {{TurbidityKind::aod500, 0.0}, {TurbidityKind::aod500, 0.5}, {TurbidityKind::aod500, 1.0}},
-      {{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}},
-      directions_utm271()};
+  SkyScene scene;
+  scene.atmosphere = test::standard_atmosphere();
+  scene.altitudes_km = {0.0, 6.0, 12.0, 20.0, 30.0};
+  for (const double aod500 : {0.0, 0.5, 1.0}) scene.turbidities.push_back({TurbidityKind::aod500, aod500});
+  scene.suns = {{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}};
+  scene.directions = directions_utm271();
   Context context = test::context;
   context.threads = static_cast<int>(state.range(0));
   for (auto _ : state) {

@@ -24,8 +24,7 @@ namespace {
 using namespace transfer;
 
 const Atmosphere& default_air() {
-  static const Atmosphere air(test::context, load_profile(test::context, context, "ussa1976"),
-                              AtmosphereOptions{});
+  static const Atmosphere air(test::context, load_profile(test::context, "ussa1976"), AtmosphereOptions{});
   return air;
 }
 

@@ -31,6 +31,8 @@ WRONG = {
     "RE,IM": [*NO_NUMBERS, "1.5", "nan,0", "1.5,inf", "1,2,3"],
     "ANGLE": ["", "nan", "inf", "abc", "1e999", "9999", "48:75"],
     "TIME": ["", "noon", "nan", "2024-06-21", "2024-02-30T00:00Z"],
+    "TIME|START/END/STEP": ["", "noon", "nan", "2024-06-21", "2024-06-21T09:00Z/2024-06-21T08:00Z/1h",
+                            "2024-06-21T09:00Z/2024-06-21T10:00Z/0min", "2024-06-21T09:00Z/2024-06-21T10:00Z"],
     "DATE": ["", "today", "nan", "2024-02-30"],
     "NAME": ["", "nan", "best of all", "\u00fc"],
     "NAME=VALUE,...": ["", "optical-step", "optical-step=nan", "optical-step=1e9", "step=1", "=", "a=1=2"],

@@ -94,10 +94,10 @@ TEST(TransferCost, AbsurdDepthsAreRefusedFirst) {
 TEST(TransferCost, NamesADepthThatFits) {
   TransferOptions options;
   options.discretisation = discretisation_of(Quality::draft);
-  options.most_memory_bytes = 60e6;
+  options.most_memory_bytes = 12e6;
   const OpticalColumn thick = cloud(200.0);
   const std::string message = refusal(kOneLayer, std::span(&thick, 1), kRequest, options);
-  expect_says(message, {"optical depth 200", "60 MB may be used", "would fit"});
+  expect_says(message, {"optical depth 200", "12 MB may be used", "would fit"});
   const std::string before = "an optical depth of about ";
   const double fits = std::stod(message.substr(message.find(before) + before.size()));
   EXPECT_GT(fits, 2.0);
