@@ -1,6 +1,7 @@
 #include "skylut/transfer/solved_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <utility>
 
@@ -22,6 +23,12 @@ std::vector<Sight> one_sight_each(std::span<const double> sun_zeniths_deg) {
   std::vector<Sight> sights;
   for (const double sun_deg : sun_zeniths_deg) sights.push_back({0.0, sun_deg, {0.0, 0.0}});
   return sights;
+}
+
+float checked(float value, std::size_t column) {
+  if (!std::isfinite(value))
+    throw WorkError("radiance of column {} is not a number: do its phase functions hold one?", column);
+  return value;
 }
 
 }  // namespace
@@ -124,7 +131,8 @@ void SolvedColumns::radiance(const SightLine& line, std::span<float> radiance) c
                          const auto lanes = static_cast<std::size_t>(block.optics->lanes);
                          for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
                            for (std::size_t i = 0; i < azimuths; ++i)
-                             radiance[block.columns[lane] * azimuths + i] = values[i * lanes + lane];
+                             radiance[block.columns[lane] * azimuths + i] =
+                                 checked(values[i * lanes + lane], block.columns[lane]);
                        });
 }
 
@@ -153,7 +161,7 @@ void SolvedColumns::radiance_parts(std::span<const SightLine> lines, std::span<f
                       for (std::size_t i = 0; i < azimuths; ++i)
                         for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
                           of_line[(to * azimuths + i) * columns() + block.columns[lane]] =
-                              values[(from * azimuths + i) * lanes + lane];
+                              checked(values[(from * azimuths + i) * lanes + lane], block.columns[lane]);
                     };
                     for (std::size_t kind = 0; kind < 3; ++kind)
                       for (std::size_t s = 0; s < own; ++s) copy(kind * own + s, kind * most + s);

@@ -74,6 +74,24 @@ TEST(SolvedColumns, PartsMakeTheRadiance) {
   EXPECT_TRUE(peak_counts);
 }
 
+// A line whose lowest point lies on a boundary of layers, to the last digits: it has a piece of no length
+// there.
+TEST(SolvedColumns, LinesThatTouchALevel) {
+  const SolvedColumns apart = solved();
+  const std::vector<double> azimuth{90.0};
+  std::vector<float> radiance(columns().size());
+  for (const double level_km : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0})
+    for (int ulps = -2; ulps <= 2; ++ulps) {
+      double zenith_deg = 180.0 - std::asin((6371.0 + level_km) / 6383.0) * kDegreesPerRadian;
+      for (int i = 0; i < std::abs(ulps); ++i)
+        zenith_deg = std::nextafter(zenith_deg, ulps > 0 ? 180.0 : 0.0);
+      EXPECT_NO_THROW(apart.radiance({12.0, zenith_deg, 30.0, azimuth}, radiance)) << level_km << " " << ulps;
+      std::vector<float> beside(columns().size());
+      apart.radiance({12.0, zenith_deg + 1e-4, 30.0, azimuth}, beside);
+      EXPECT_NEAR(radiance[2] / beside[2], 1.0f, 0.01f) << level_km << " " << ulps;
+    }
+}
+
 TEST(SolvedColumns, RefusesSunsOfOtherBands) {
   const SolvedColumns apart = solved();
   std::vector<float> radiance(columns().size());
