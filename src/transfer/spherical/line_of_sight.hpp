@@ -77,17 +77,20 @@ class RayScratches {
  public:
   RayScratches(const SweepView& grid, int lines, const RayView* rays, const RaySourcesView* diffuse)
       : scratch_(static_cast<std::size_t>(lines)) {
-    for (int i = 0; i < lines; ++i) scratch_.data()[i] = new RayScratch<V>(grid, rays[i], diffuse[i]);
+    for (int i = 0; i < lines; ++i) scratch_.data()[i].own = new RayScratch<V>(grid, rays[i], diffuse[i]);
   }
   ~RayScratches() {
-    for (std::size_t i = 0; i < scratch_.size(); ++i) delete scratch_.data()[i];
+    for (std::size_t i = 0; i < scratch_.size(); ++i) delete scratch_.data()[i].own;
   }
   RayScratches(const RayScratches&) = delete;
   RayScratches& operator=(const RayScratches&) = delete;
-  RayScratch<V>& operator[](int line) { return *scratch_.data()[line]; }
+  RayScratch<V>& operator[](int line) { return *scratch_.data()[line].own; }
 
  private:
-  LaneArray<RayScratch<V>*> scratch_;
+  struct Slot {
+    RayScratch<V>* own = nullptr;
+  };
+  LaneArray<Slot> scratch_;
 };
 
 /// Goes along the lit parts of the line for all pairs. A point at the distance s scatters the beam that
