@@ -49,9 +49,8 @@ struct OneBlock {
     return std::unique_ptr<SolvedBlock>(kernel.solve_block(tables.view(), optics.view(), limits, report));
   }
 
-  LocalSun local_sun(const RayGeometry& geometry, const std::vector<SunAzimuth>& pairs) const {
-    return {common.shells.planet_radius_km, geometry.start(), pairs, common.sun_interpolation,
-            grid.angles.azimuthal_orders()};
+  Ray ray(const std::vector<SunAzimuth>& pairs) const {
+    return {common.ray_space(), 0.0, 80.0, pairs, grid.angles.azimuthal_orders()};
   }
 
   const Kernel& kernel = kernel_for(Simd::best);
@@ -89,9 +88,8 @@ void ray_geometry_of_a_ring(benchmark::State& state) {
   const OneBlock block(state);
   const std::vector<SunAzimuth> pairs = ring_under_low_sun();
   for (auto _ : state) {
-    const RayGeometry geometry(block.common, 0.0, 80.0, pairs);
-    LocalSun local_sun = block.local_sun(geometry, pairs);
-    benchmark::DoNotOptimize(DiffuseRay(block.grid, 0.0, 80.0, local_sun));
+    Ray ray = block.ray(pairs);
+    benchmark::DoNotOptimize(RaySources(block.grid, ray));
   }
 }
 BENCHMARK(ray_geometry_of_a_ring)->Arg(50)->Unit(benchmark::kMicrosecond);
@@ -100,14 +98,13 @@ void lines_of_sight_of_a_ring(benchmark::State& state) {
   const OneBlock block(state);
   const auto field = block.solve();
   const std::vector<SunAzimuth> pairs = ring_under_low_sun();
-  const RayGeometry geometry(block.common, 0.0, 80.0, pairs);
-  LocalSun local_sun = block.local_sun(geometry, pairs);
-  const DiffuseRay diffuse(block.grid, 0.0, 80.0, local_sun);
-  const std::vector<float> phase = geometry.phases(block.optics);
-  const std::vector<float> peaks = geometry.peaks(block.optics);
+  Ray ray = block.ray(pairs);
+  const RaySources sources(block.grid, ray);
+  const std::vector<float> phase = block.optics.phases(ray);
+  const std::vector<float> peaks = block.optics.peaks(ray);
   std::vector<float> radiance(pairs.size() * block.lanes.size());
   for (auto _ : state) {
-    field->line_of_sight(geometry.view(), diffuse.view(), phase.data(), peaks.data(), radiance.data());
+    field->line_of_sight(ray.view(), sources.view(), phase.data(), peaks.data(), radiance.data());
     benchmark::DoNotOptimize(radiance.data());
   }
 }
