@@ -105,14 +105,7 @@ Xyz ColourMatching::integrate(const WavelengthGrid& grid, std::span<const double
   if (radiance_W_m2_sr_nm.size() != grid.size())
     throw InputError("spectrum of {} values: must have the {} of its wavelengths", radiance_W_m2_sr_nm.size(),
                      grid.size());
-  const std::vector<Xyz> weight = weights(grid);
-  Xyz sum;
-  for (std::size_t i = 0; i < weight.size(); ++i) {
-    sum.X += weight[i].X * radiance_W_m2_sr_nm[i];
-    sum.Y += weight[i].Y * radiance_W_m2_sr_nm[i];
-    sum.Z += weight[i].Z * radiance_W_m2_sr_nm[i];
-  }
-  return sum;
+  return weighted_sum<double>(weights(grid), radiance_W_m2_sr_nm);
 }
 
 double ColourMatching::part_of_vision(double first_nm, double last_nm) const {

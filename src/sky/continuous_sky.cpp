@@ -223,45 +223,49 @@ std::size_t ContinuousSky::nodes() const {
   return sum;
 }
 
+template <class Row, class Use>
+void ContinuousSky::look(std::span<const Direction> directions, const Row& row_of, const Use& use) const {
+  std::vector<float> row;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Direction& direction = directions[i];
+    if (i == 0 || direction.zenith_deg != directions[i - 1].zenith_deg)
+      row_of(patches_[patch_of(direction.zenith_deg)], direction.zenith_deg, row);
+    use(i, row,
+        patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, sun_.zenith_deg));
+  }
+}
+
 void ContinuousSky::radiance(std::span<const Direction> directions, std::span<float> radiance) const {
   const std::size_t width = wavelengths().size();
   SKYLUT_CHECK_EQ(radiance.size(), directions.size() * width);
-  std::vector<float> row;
   std::vector<float> scratch;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const Direction& direction = directions[i];
-    if (i == 0 || direction.zenith_deg != directions[i - 1].zenith_deg) {
-      const SkyPatch& patch = patches_[patch_of(direction.zenith_deg)];
-      row.resize(patch.row_size());
-      patch.row(direction.zenith_deg, row);
-    }
-    const std::span<float> to = radiance.subspan(i * width, width);
-    SkyPatch::radiance(
-        solved_->factors(), row,
-        patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, sun_.zenith_deg),
-        scratch, to);
-    if (scale_ != 1.0)
-      for (float& value : to) value *= static_cast<float>(scale_);
-  }
+  look(
+      directions,
+      [](const SkyPatch& patch, double zenith_deg, std::vector<float>& row) {
+        row.resize(patch.row_size());
+        patch.row(zenith_deg, row);
+      },
+      [&](std::size_t i, std::span<const float> row, const PatchDirection& direction) {
+        const std::span<float> to = radiance.subspan(i * width, width);
+        SkyPatch::radiance(solved_->factors(), row, direction, scratch, to);
+        if (scale_ != 1.0)
+          for (float& value : to) value *= static_cast<float>(scale_);
+      });
 }
 
 void ContinuousSky::colour(std::span<const Direction> directions, std::span<Xyz> colour) const {
   SKYLUT_CHECK_EQ(colour.size(), directions.size());
-  std::vector<float> row;
   std::vector<float> scratch;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const Direction& direction = directions[i];
-    if (i == 0 || direction.zenith_deg != directions[i - 1].zenith_deg) {
-      const SkyPatch& patch = patches_[patch_of(direction.zenith_deg)];
-      row.resize(patch.colour_row_size());
-      patch.colour_row(direction.zenith_deg, row);
-    }
-    const Xyz found = SkyPatch::colour(
-        *solved_, row,
-        patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, sun_.zenith_deg),
-        scratch);
-    colour[i] = {scale_ * found.X, scale_ * found.Y, scale_ * found.Z};
-  }
+  look(
+      directions,
+      [](const SkyPatch& patch, double zenith_deg, std::vector<float>& row) {
+        row.resize(patch.colour_row_size());
+        patch.colour_row(zenith_deg, row);
+      },
+      [&](std::size_t i, std::span<const float> row, const PatchDirection& direction) {
+        const Xyz found = SkyPatch::colour(*solved_, row, direction, scratch);
+        colour[i] = {scale_ * found.X, scale_ * found.Y, scale_ * found.Z};
+      });
 }
 
 }  // namespace skylut

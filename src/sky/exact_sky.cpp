@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "horizon.hpp"
+#include "skylut/colour/cie1931.hpp"
 #include "skylut/core/check.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
@@ -52,17 +53,8 @@ void ExactSky::colour(std::span<const Direction> directions, std::span<Xyz> colo
   const std::size_t width = wavelengths().size();
   std::vector<float> spectra(directions.size() * width);
   radiance(directions, spectra);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    Xyz sum;
-    for (std::size_t k = 0; k < width; ++k) {
-      const Xyz& weight = solved_->colour_weights()[k];
-      const auto value = static_cast<double>(spectra[i * width + k]);
-      sum.X += weight.X * value;
-      sum.Y += weight.Y * value;
-      sum.Z += weight.Z * value;
-    }
-    colour[i] = sum;
-  }
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    colour[i] = weighted_sum<float>(solved_->colour_weights(), std::span(spectra).subspan(i * width, width));
 }
 
 }  // namespace skylut

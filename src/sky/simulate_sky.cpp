@@ -28,17 +28,8 @@ void check(const SkyScene& scene) {
 
 // The colour of each direction from the radiances that the map holds.
 void add_colours(SkyMap& map, const std::vector<Xyz>& weights) {
-  for (std::size_t direction = 0; direction < map.directions.size(); ++direction) {
-    const std::span<const float> spectrum = map.spectrum(direction);
-    Xyz sum;
-    for (std::size_t i = 0; i < spectrum.size(); ++i) {
-      const auto radiance = static_cast<double>(spectrum[i]);
-      sum.X += weights[i].X * radiance;
-      sum.Y += weights[i].Y * radiance;
-      sum.Z += weights[i].Z * radiance;
-    }
-    map.colour.push_back(to_yxy(sum));
-  }
+  for (std::size_t direction = 0; direction < map.directions.size(); ++direction)
+    map.colour.push_back(to_yxy(weighted_sum<float>(weights, map.spectrum(direction))));
 }
 
 }  // namespace

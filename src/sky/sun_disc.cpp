@@ -177,13 +177,7 @@ void SunDisc::spectrum(double mu, double zenith_deg, std::span<double> radiance)
 }
 
 Xyz SunDisc::to_colour(std::span<const double> spectrum) const {
-  Xyz sum;
-  for (std::size_t i = 0; i < spectrum.size(); ++i) {
-    sum.X += colour_weight_[i].X * spectrum[i];
-    sum.Y += colour_weight_[i].Y * spectrum[i];
-    sum.Z += colour_weight_[i].Z * spectrum[i];
-  }
-  return sum;
+  return weighted_sum<double>(colour_weight_, spectrum);
 }
 
 void SunDisc::radiance(std::span<const Direction> directions, std::span<float> radiance) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,20 @@
 namespace skylut {
 
 struct Context;
+
+/// Σ weight[i] spectrum[i] in double precision: tristimulus values from ColourMatching::weights.
+/// @param spectrum  as long as the weights, of floats or doubles
+template <class Number>
+Xyz weighted_sum(std::span<const Xyz> weights, std::span<const Number> spectrum) {
+  Xyz sum;
+  for (std::size_t i = 0; i < spectrum.size(); ++i) {
+    const auto value = static_cast<double>(spectrum[i]);
+    sum.X += weights[i].X * value;
+    sum.Y += weights[i].Y * value;
+    sum.Z += weights[i].Z * value;
+  }
+  return sum;
+}
 
 /// The CIE 1931 2° colour matching functions x̄, ȳ, z̄ at 5 nm steps, read from
 /// profiles/spectra/cie1931_2deg.csv. [fit.md C1-C3]

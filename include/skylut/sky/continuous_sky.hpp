@@ -57,6 +57,9 @@ class ContinuousSky final : public SkyLight {
 
  private:
   std::size_t patch_of(double zenith_deg) const;
+  /// Calls use(index, row, direction) for every direction; neighbours of one zenith angle share a row.
+  template <class Row, class Use>
+  void look(std::span<const Direction> directions, const Row& row_of, const Use& use) const;
 
   std::shared_ptr<const SolvedSky> solved_;
   Direction sun_;

@@ -32,7 +32,9 @@ RayTrace::RayTrace(const ShellGeometry& levels, double longest_step_km, double o
     if (cos_view < 0.0) {
       const double lowest_km =
           std::sqrt(std::max(0.0, radius * radius - along * along)) - levels.planet_radius_km();
-      crossings.push_back({perigee_distance, lowest_km, 0.0});
+      // A line that touches a level, to the last bit, has its lowest point there already.
+      if (perigee_distance > crossings.back().distance_km)
+        crossings.push_back({perigee_distance, lowest_km, 0.0});
     }
     for (int level = 0; level < levels.levels(); ++level)
       if ((cos_view < 0.0 || levels.level_km(level) > observer_km) &&

@@ -18,7 +18,7 @@ struct RayTrace {
   /// Stops at every level crossed, at the lowest point, and at least every longest_step_km.
   RayTrace(const ShellGeometry& levels, double longest_step_km, double observer_km, double cos_view);
 
-  std::vector<RayPoint> points;
+  std::vector<RayPoint> points;  ///< at ascending distances, no two at the same
   bool hits_ground = false;
 };
 

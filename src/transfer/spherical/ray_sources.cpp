@@ -38,9 +38,8 @@ void RaySources::add_pieces(const Discretisation& grid, const std::vector<RayPoi
     add_source(sublayer, points[near]);
     const double start_km = points[near].distance_km;
     const double length_km = points[far].distance_km - start_km;
-    // A line that touches a boundary at its lowest point has a piece of no length there.
     const auto fraction = [&](const RayPoint& point) {
-      return length_km > 0.0 ? static_cast<float>((point.distance_km - start_km) / length_km) : 0.0f;
+      return static_cast<float>((point.distance_km - start_km) / length_km);
     };
     for (std::size_t i = near; i < far; ++i) {
       const double middle_km = 0.5 * (points[i].altitude_km + points[i + 1].altitude_km);
