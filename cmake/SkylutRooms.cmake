@@ -2,7 +2,7 @@
 # this list says which, and which outside libraries each needs. The build and the installed
 # skylutConfig.cmake both read it, so that nobody needs a library of a room that is not wanted.
 set(SKYLUT_ROOM_ORDER
-  core site profile scattering atmosphere transfer colour sky models fit table export compare report cases options cli)
+  core site profile scattering atmosphere transfer colour sky models fit table forms export compare report cases options cli)
 
 set(SKYLUT_USES_core)
 set(SKYLUT_USES_site core)
@@ -15,13 +15,14 @@ set(SKYLUT_USES_sky core site profile atmosphere transfer colour)
 set(SKYLUT_USES_models core profile atmosphere colour sky)
 set(SKYLUT_USES_fit core colour models)
 set(SKYLUT_USES_table core site profile atmosphere colour sky models fit)
-set(SKYLUT_USES_export core site atmosphere colour sky)
+set(SKYLUT_USES_forms core site profile atmosphere transfer colour sky models fit table)
+set(SKYLUT_USES_export core site atmosphere colour sky models)
 set(SKYLUT_USES_compare core colour models fit table)
-set(SKYLUT_USES_report core scattering atmosphere sky fit table export)
+set(SKYLUT_USES_report core scattering atmosphere sky fit table forms export)
 set(SKYLUT_USES_cases core scattering atmosphere transfer)
 set(SKYLUT_USES_options core site)
 set(SKYLUT_USES_cli
-  core site profile scattering atmosphere transfer colour sky models fit table export compare report cases options)
+  core site profile scattering atmosphere transfer colour sky models fit table forms export compare report cases options)
 
 # Libraries that whoever links the room needs too; a header-only library that only its sources use is in
 # SKYLUT_BUILDS_WITH.
@@ -34,6 +35,7 @@ set(SKYLUT_PACKAGES_export OpenEXR PNG)
 set(SKYLUT_BUILDS_WITH_transfer Eigen3)
 set(SKYLUT_BUILDS_WITH_sky Eigen3)
 set(SKYLUT_BUILDS_WITH_fit Eigen3)
+set(SKYLUT_BUILDS_WITH_forms Eigen3)
 set(SKYLUT_BUILDS_WITH_options CLI11)
 
 # skylut_rooms_needed(<variable> <rooms...>): those rooms and all that they use, in order.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
 #include "skylut/core/domain.hpp"
+#include "skylut/core/wavelength_grid.hpp"
 
 namespace skylut {
 
@@ -35,6 +37,13 @@ class Sky {
     return colour;
   }
 
+  /// The wavelengths at which the model has spectra; null if it knows colours only.
+  virtual const WavelengthGrid* wavelengths() const { return nullptr; }
+
+  /// @param radiance  [view][wavelength], filled: W m⁻² sr⁻¹ nm⁻¹, without the solar disc
+  /// @throws InputError  as colour(); and if the model knows colours only
+  virtual void radiance(std::span<const Direction> views, std::span<float> radiance) const;
+
  protected:
   Sky() = default;
   Sky(const Sky&) = default;
@@ -51,6 +60,7 @@ struct ModelInfo {
   Range altitude_km;
   TurbidityKind turbidity_kind = TurbidityKind::aod500;
   Range turbidity;
+  std::optional<Range> albedo = {};  ///< none: the model has one ground, whatever it is
   Range sun_zenith_deg;
   Range view_zenith_deg;
 };
