@@ -95,8 +95,7 @@ TableSampling sampling_of(const TableOptions& options) {
 TableFitOptions fit_options_of(const TableOptions& options) {
   TableFitOptions fit =
       options.directions == kReport2005 ? TableFitOptions::utm2005() : TableFitOptions::half_floats();
-  if (options.directions != kDome) fit.weights = SampleWeights::uniform;
-  if (options.weights) fit.weights = *options.weights;
+  fit.weights = *options.weights;
   return fit;
 }
 
@@ -200,7 +199,12 @@ Command table_command() {
                "also write each row's sky, DIR/maps/entry_001.csv ..., in the report's 271 directions, or in "
                "those of --directions");
   options->scene.add_to(set);
-  command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut table")); };
+  command.run = [options](const OptionSet& given) {
+    // Settled first, so that they are recorded.
+    if (!options->weights)
+      options->weights = options->directions == kDome ? SampleWeights::horizon : SampleWeights::uniform;
+    run(*options, given.command_line("skylut table"));
+  };
   return command;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "skylut/colour/cie1931.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
@@ -12,6 +11,7 @@
 #include "skylut/core/quadrature.hpp"
 #include "skylut/fit/dome_directions.hpp"
 #include "skylut/sky/exact_sky.hpp"
+#include "skylut/sky/simulate_sky.hpp"
 #include "skylut/sky/solved_sky.hpp"
 #include "skylut/sky/view_set.hpp"
 
@@ -121,20 +121,6 @@ class Observer {
   TableSky seen_;
 };
 
-SkyMap map_of(const SkyScene& scene, const SolvedSky& solved, const SkyLight& sky,
-              const std::vector<Direction>& directions) {
-  SkyMap map;
-  map.sun = sky.sun();
-  map.directions = directions;
-  map.wavelengths = scene.wavelengths;
-  map.instruction_set = solved.report().kernel;
-  map.radiance.resize(directions.size() * scene.wavelengths.size());
-  sky.radiance(directions, map.radiance);
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    map.colour.push_back(to_yxy(weighted_sum<float>(solved.colour_weights(), map.spectrum(i))));
-  return map;
-}
-
 void check(const SkyScene& scene) {
   if (scene.altitudes_km.empty() || scene.turbidities.empty() || scene.suns.empty())
     throw InputError("table of skies: needs at least one altitude, turbidity and sun");
@@ -150,7 +136,11 @@ TableSkies simulate_table_skies(const Context& context, const SkyScene& scene, c
   const std::size_t turbidities = scene.turbidities.size();
   TableSkies table;
   table.skies.resize(scene.altitudes_km.size() * turbidities * suns);
-  if (!sampling.map_directions.empty()) table.maps.resize(table.skies.size());
+  if (!sampling.map_directions.empty()) {  // the very maps of skylut map, to the last bit
+    SkyScene of_maps = scene;
+    of_maps.directions = sampling.map_directions;
+    table.maps = simulate_sky(context, of_maps, options);
+  }
   for (std::size_t turbidity = 0; turbidity < turbidities; ++turbidity) {
     SkyScene of_turbidity = scene;
     of_turbidity.turbidities = {scene.turbidities[turbidity]};
@@ -169,12 +159,6 @@ TableSkies simulate_table_skies(const Context& context, const SkyScene& scene, c
       for (const std::size_t sun : group.suns) {
         table.skies[place(sun)] = seen;
         table.skies[place(sun)].sun = scene.suns[sun];
-        if (table.maps.empty()) continue;
-        SkyMap& map = table.maps[place(sun)];
-        map = map_of(scene, *solved, ExactSky(solved, altitude_km, scene.suns[sun], scene.sun_distance_au),
-                     sampling.map_directions);
-        map.altitude_km = altitude_km;
-        map.turbidity = scene.turbidities[turbidity];
       }
     });
   }

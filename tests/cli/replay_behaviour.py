@@ -86,7 +86,7 @@ class Replay(unittest.TestCase):
     def test_table_of_defaults_spells_them_out(self):
         self.work.succeed("table", "--out", "one", *COARSE, "--altitudes-km", "0", "--turbidities", "0.1", "--suns", "45:90")
         command = self.replay("one/table.json", "--out", "two")
-        for option in ("--profile ussa1976", "--aerosol rural", "--albedo 0.2", "--solar astm-g173", "--weights uniform",
+        for option in ("--profile ussa1976", "--aerosol rural", "--albedo 0.2", "--solar astm-g173", "--weights horizon", "--directions dome",
                        "--turbidity-kind aod500", "--quality draft"):
             self.assertIn(f" {option}", command)
         self.same("one/table.json", "two/table.json")
