@@ -35,4 +35,9 @@ class PerezSky final : public Sky {
   Direction sun_;
 };
 
+/// @param largest_B  of the formulas
+/// @throws InputError  for a view that a Perez sky has nothing for: not within 0-90°, or at the horizon where
+/// a B is not below 0
+void require_in_perez_dome(const Direction& view, double largest_B);
+
 }  // namespace skylut
