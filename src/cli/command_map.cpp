@@ -10,6 +10,7 @@
 
 #include "advice.hpp"
 #include "commands.hpp"
+#include "directions_option.hpp"
 #include "map_pictures.hpp"
 #include "memory.hpp"
 #include "options/file_kinds.hpp"
@@ -18,7 +19,6 @@
 #include "picture_options.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
-#include "skylut/export/directions_csv.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "sun_option.hpp"
 
@@ -41,15 +41,10 @@ struct MapOptions {
 
 bool is_picture(const MapOptions& options) { return ending_of(options.out) == ".exr"; }
 
-// Options of the other kind of file were not meant for this one; those of this one get their defaults, so
-// that they are recorded.
+// What was not given gets its default, so that it is recorded.
 void settle(MapOptions& options, const OptionSet& given) {
-  const bool picture = is_picture(options);
-  for (const Option& option : given.all())
-    if (option.given && (picture ? option.name == "--directions" : option.group == PictureRequest::kGroup))
-      throw InputError("{}: is for {} files, must not be given with {}", option.name,
-                       picture ? ".csv" : ".exr", options.out.string());
-  if (picture)
+  refuse_options_of_other_files(given, options.out, {"--directions"});
+  if (is_picture(options))
     options.picture.settle();
   else
     options.directions = options.directions.value_or("utm271");
@@ -60,21 +55,10 @@ SkyScene scene_of(const Context& context, MapOptions& options) {
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
   if (options.sun.is_series()) return scene;
-  options.sun.put_into(scene, options.scene);
+  options.sun.put_into(scene, options.scene.sun_place());
   options.sun.require_above(domain::kSunZenith_deg.highest, scene.suns.front(),
                             "the sky's light ends at 96 deg (night)");
   return scene;
-}
-
-std::vector<Direction> directions_of(const std::string& name_or_file) {
-  if (name_or_file == "utm271") return directions_utm271();
-  if (name_or_file == "preetham343") return directions_preetham343();
-  std::error_code ignored;
-  if (!fs::exists(name_or_file, ignored))
-    throw InputError(
-        "--directions '{}': must be utm271, preetham343 or a CSV file with columns zenith_deg,azimuth_deg{}",
-        name_or_file, suggested(name_or_file, {"utm271", "preetham343"}));
-  return read_directions_csv(name_or_file);
 }
 
 RequestSize size_of(const SkyScene& scene) {
@@ -120,7 +104,7 @@ void write_csv(const Context& context, const MapOptions& options, SkyScene scene
 void write_exr(const Context& context, MapOptions& options, SkyScene scene, const OptionSet& given) {
   SunSeries series;
   if (options.sun.is_series()) {
-    series = options.sun.series(options.scene, scene.sun_distance_au);
+    series = options.sun.series(options.scene.sun_place(), scene.sun_distance_au);
   } else {
     series.frames.push_back({1, std::nullopt, scene.suns.front(), scene.sun_distance_au});
     if (options.frame) throw InputError("--frame: needs --suns, --times or --time START/END/STEP");
@@ -176,8 +160,7 @@ Command map_command() {
           "of the observer above the ground, 0 to 30");
   add_turbidity(set, options->turbidity);
   options->sun.add_to(set, domain::kSunZenith_deg, time_or_steps());
-  set.add("--directions", options->directions, name_or_file(),
-          "utm271 (default), preetham343 or a CSV file (for .csv)");
+  add_directions(set, options->directions);
   options->picture.add_to(set);
   options->sun.add_series_to(set);
   set.add("--frame", options->frame, whole_number({1.0, domain::kMostFrames, ""}),

@@ -15,11 +15,10 @@ struct Axis {
 };
 
 std::vector<Axis> axes_of(const ModelInfo& info, const SkyConditions& conditions) {
-  std::vector<Axis> axes{
-      {"altitude", conditions.altitude_km, info.altitude_km},
-      {fmt::format("turbidity ({})", turbidity_kind_name(info.turbidity_kind)), conditions.turbidity.value,
-       info.turbidity},
-      {"sun zenith angle", conditions.sun.zenith_deg, info.sun_zenith_deg}};
+  std::vector<Axis> axes{{"altitude", conditions.altitude_km, info.altitude_km},
+                         {fmt::format("turbidity ({})", turbidity_kind_name(info.turbidity_kind)),
+                          conditions.turbidity.value, info.turbidity},
+                         {"sun zenith angle", conditions.sun.zenith_deg, info.sun_zenith_deg}};
   if (info.albedo) axes.push_back({"albedo", conditions.albedo, *info.albedo});
   return axes;
 }

@@ -55,8 +55,8 @@ RowBlend::RowBlend(const std::vector<WeightedRow>& rows, const Direction& sun) :
     };
     Term term;
     term.coefficients = {entry->Y, entry->x, entry->y};
-    term.scale = {scale(entry->zenith.Y * kCandelaPerKilocandela, entry->Y),
-                  scale(entry->zenith.x, entry->x), scale(entry->zenith.y, entry->y)};
+    term.scale = {scale(entry->zenith.Y * kCandelaPerKilocandela, entry->Y), scale(entry->zenith.x, entry->x),
+                  scale(entry->zenith.y, entry->y)};
     term.weight = weight;
     term.lowest_gamma_rad = std::max(0.0, entry->sun.zenith_deg - kHorizon_deg) * kRadiansPerDegree;
     term.highest_gamma_rad = std::min(180.0, entry->sun.zenith_deg + kHorizon_deg) * kRadiansPerDegree;

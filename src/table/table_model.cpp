@@ -130,7 +130,8 @@ std::unique_ptr<const Sky> TableModel::at(const SkyConditions& conditions) const
   const std::vector<std::string> outside = outside_domain(info_, conditions);
   if (!outside.empty() && !options_.extrapolate)
     throw InputError("{}: must lie within what the table has", fmt::join(outside, ", "));
-  if (grid_) return options_.rule == TableRule::utm2005 ? summed_over_altitudes(conditions) : blended(conditions);
+  if (grid_)
+    return options_.rule == TableRule::utm2005 ? summed_over_altitudes(conditions) : blended(conditions);
   std::vector<std::string> suns;
   for (const Direction& sun : table_.axes().suns)
     suns.push_back(fmt::format("{}:{}", sun.zenith_deg, sun.azimuth_deg));

@@ -15,8 +15,8 @@ class RowGrid;
 /// How the sky between a table's rows comes about.
 enum class TableRule {
   blend,   ///< the rows around, by the logarithms of their colours [fit.md T1-T3]
-  utm2005  ///< the same for turbidity and sun, but Lagrange's cubic on Y, x, y through four altitudes: the UTM
-           ///< report's rule (2005 §3.2.2.2), errors of which fit.md T4 has
+  utm2005  ///< the same for turbidity and sun, but Lagrange's cubic on Y, x, y through four altitudes: the
+           ///< UTM report's rule (2005 §3.2.2.2), errors of which fit.md T4 has
 };
 
 struct TableModelOptions {

@@ -35,7 +35,8 @@ const std::vector<double> kSuns_deg{2.0, 30.0, 60.0, 90.0};
 
 using Change = std::function<void(TableEntry&)>;
 
-TableModel grid_model(const TableModelOptions& options = {}, const Change& change = [](TableEntry&) {}) {
+TableModel grid_model(
+    const TableModelOptions& options = {}, const Change& change = [](TableEntry&) {}) {
   std::vector<TableEntry> rows;
   for (const double altitude_km : kAltitudes_km)
     for (const double turbidity : kTurbidities)
@@ -183,15 +184,17 @@ TEST(TableModel, TheSunMayStandAtTheZenith) {
     const double view_rad = 40.0 * kRadiansPerDegree;
     EXPECT_NEAR(sky->colour(Direction{40.0, azimuth_deg}).Y, scale * perez(row.Y, view_rad, view_rad), 1e-8);
   }
-  EXPECT_EQ(grid_model({}, [](TableEntry& row_of) { row_of.sun.zenith_deg += 8.0; }).info().sun_zenith_deg.lowest,
-            10.0);
+  EXPECT_EQ(
+      grid_model({}, [](TableEntry& row_of) { row_of.sun.zenith_deg += 8.0; }).info().sun_zenith_deg.lowest,
+      10.0);
 }
 
 TEST(TableModel, RefusesWhatIsOutsideUnlessItExtrapolates) {
   const SkyConditions above = conditions(25.0, 0.25, {60.0, 90.0});
   EXPECT_EQ(refusal(grid_model(), above), "altitude 25 km (0 to 20 km): must lie within what the table has");
   const std::string all = refusal(grid_model(), conditions(25.0, 1.5, {95.0, 90.0}));
-  EXPECT_NE(all.find("turbidity (aod500) 1.5 (0 to 1), sun zenith angle 95 deg (0 to 90 deg)"), std::string::npos)
+  EXPECT_NE(all.find("turbidity (aod500) 1.5 (0 to 1), sun zenith angle 95 deg (0 to 90 deg)"),
+            std::string::npos)
       << all;
   const TableModel insisting = grid_model({.extrapolate = true});
   EXPECT_LT(largest_difference(colours_at(insisting, above),
@@ -202,7 +205,8 @@ TEST(TableModel, RefusesWhatIsOutsideUnlessItExtrapolates) {
 TEST(TableModel, RowsThatDoNotFillAGridAreAllThereIs) {
   const TableModel model(Table({preetham_row(0.0, 0.0, 30.0), preetham_row(6.0, 0.0, 60.0)}));
   EXPECT_EQ(refusal(model, conditions(6.0, 0.0, {60.0, 90.0})), "no error");
-  EXPECT_NE(refusal(model, conditions(3.0, 0.0, {40.0, 90.0})).find("must be those of a row"), std::string::npos);
+  EXPECT_NE(refusal(model, conditions(3.0, 0.0, {40.0, 90.0})).find("must be those of a row"),
+            std::string::npos);
   EXPECT_NE(refusal(model, conditions(0.0, 0.0, {60.0, 90.0})).find("altitudes 0, 6 km"), std::string::npos);
 }
 
@@ -240,7 +244,8 @@ TEST(TableModel, UtmRuleIsExactForACubic) {
 TEST(TableModel, UtmRuleNeedsFourAltitudes) {
   const TableModel model(Table({preetham_row(0.0, 0.0, 60.0), preetham_row(6.0, 0.0, 60.0)}),
                          {.rule = TableRule::utm2005});
-  EXPECT_NE(refusal(model, conditions(3.0, 0.0, {60.0, 0.0})).find("at least 4 altitudes"), std::string::npos);
+  EXPECT_NE(refusal(model, conditions(3.0, 0.0, {60.0, 0.0})).find("at least 4 altitudes"),
+            std::string::npos);
 }
 
 }  // namespace
