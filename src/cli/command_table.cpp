@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "advice.hpp"
 #include "commands.hpp"
@@ -18,6 +19,7 @@
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/report/table_summary.hpp"
 #include "skylut/table/fit_table.hpp"
+#include "skylut/table/named_grids.hpp"
 #include "skylut/table/write_table.hpp"
 #include "weights_kind.hpp"
 
@@ -31,12 +33,25 @@ namespace {
 struct TableOptions {
   SceneOptions scene;
   fs::path out;
+  std::optional<std::string> grid;
   std::vector<double> altitudes_km{0.0, 6.0, 12.0, 20.0, 30.0};
   std::vector<double> turbidities{0.0, 0.5, 1.0};
   std::vector<Direction> suns{{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}};
   SampleWeights weights = SampleWeights::uniform;
   bool save_maps = false;
 };
+
+Kind<std::string> grid_kind() {
+  std::vector<std::string> names;
+  for (const NamedGrid& grid : named_grids()) names.push_back(grid.name);
+  return choice(names);
+}
+
+std::string grid_texts() {
+  std::vector<std::string> texts;
+  for (const NamedGrid& grid : named_grids()) texts.push_back(fmt::format("{} ({})", grid.name, grid.what));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
 
 // A look-up table with two rows for one key would be ambiguous.
 template <class T>
@@ -89,6 +104,21 @@ void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps, const P
     write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i], provenance));
 }
 
+// What was not given of a grid's axes is the grid's, and recorded as such.
+void settle_grid(TableOptions& options, const OptionSet& given) {
+  if (!options.grid) return;
+  const NamedGrid& grid = named_grid(*options.grid);
+  if (!given.given("--altitudes-km")) options.altitudes_km = grid.altitudes_km;
+  if (!given.given("--suns")) options.suns = grid.suns;
+  if (given.given("--turbidities")) return;
+  if (given.given("--turbidity-kind") && options.scene.air().turbidity_kind() != grid.turbidity_kind)
+    throw InputError("--turbidity-kind {}: the turbidities of --grid {} are {}; give --turbidities too",
+                     turbidity_kind_name(options.scene.air().turbidity_kind()), grid.name,
+                     turbidity_kind_name(grid.turbidity_kind));
+  options.turbidities = grid.turbidities;
+  options.scene.take_turbidities_as(grid.turbidity_kind);
+}
+
 void run(const TableOptions& options, const std::string& command_line) {
   require_writable_outputs(options);
   const Context context = options.scene.context();
@@ -132,6 +162,8 @@ Command table_command() {
   Option& out = set.add("--out", options->out, folder_out(), "folder for the results, created if need be");
   out.required = true;
   out.recorded = false;
+  set.add("--grid", options->grid, grid_kind(),
+          "axes by name: " + grid_texts() + "; single axes may be given too");
   set.add("--altitudes-km", options->altitudes_km, numbers(domain::kObserver_km),
           "of the observers above the ground, 0 to 30");
   set.add("--turbidities", options->turbidities, numbers(domain::kTurbidityValue),
@@ -142,7 +174,10 @@ Command table_command() {
           "of the directions in the fits: uniform or solid-angle");
   set.add_flag("--save-maps", options->save_maps, "also write each row's sky, DIR/maps/entry_001.csv ...");
   options->scene.add_to(set);
-  command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut table")); };
+  command.run = [options](const OptionSet& given) {
+    settle_grid(*options, given);
+    run(*options, given.command_line("skylut table"));
+  };
   return command;
 }
 

@@ -44,6 +44,7 @@ class AirOptions {
   AtmosphereDescription atmosphere(const std::string& profile) const;
   const PlaceOptions& place() const { return place_; }
   TurbidityKind turbidity_kind() const { return turbidity_kind_; }
+  void take_turbidities_as(TurbidityKind kind) { turbidity_kind_ = kind; }
 
  private:
   TurbidityKind turbidity_kind_ = TurbidityKind::aod500;
@@ -69,6 +70,8 @@ class SceneOptions {
   bool exact() const { return exact_; }
   Context context() const { return program_context(computing_); }
   const AirOptions& air() const { return air_; }
+  /// As if --turbidity-kind had been given.
+  void take_turbidities_as(TurbidityKind kind) { air_.take_turbidities_as(kind); }
   /// What a sun by its time needs to know.
   SunPlace sun_place() const { return {air_.place(), date_.has_value()}; }
 
