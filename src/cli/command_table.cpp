@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "advice.hpp"
@@ -18,6 +19,7 @@
 #include "skylut/core/writable.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/report/table_summary.hpp"
+#include "skylut/table/between_nodes.hpp"
 #include "skylut/table/fit_table.hpp"
 #include "skylut/table/named_grids.hpp"
 #include "skylut/table/write_table.hpp"
@@ -119,6 +121,31 @@ void settle_grid(TableOptions& options, const OptionSet& given) {
   options.scene.take_turbidities_as(grid.turbidity_kind);
 }
 
+// Of a table that is meant to be interpolated: what it errs between its rows.
+void measure_between_nodes(const Context& context, const TableOptions& options, const SkyScene& scene,
+                           const SkyFitOptions& fit, SkyTable& table) {
+  if (!options.grid || !named_grid(*options.grid).for_between) return;
+  const TableModel model(Table(table.entries, scene.turbidities.front().kind));
+  const std::vector<HeldOutSky> skies =
+      held_out_skies(context, scene, options.scene.transfer(), fit, model.info());
+  const nlohmann::ordered_json json = between_nodes_json(model, skies);
+  table.between_nodes = json.dump();
+  for (const auto& [key, name] :
+       {std::pair{"sun_up", "sun up"}, {"sun_below_horizon", "sun below the horizon"}}) {
+    if (!json.contains(key)) continue;
+    const auto percent = [&](const char* of, const char* which) {
+      return 100.0 * json[key][of]["Y"][which].get<double>();
+    };
+    fmt::print(
+        "between its rows, {}, {} skies: rms of Y median {:.2g} %, 90th percentile {:.2g} %, worst {:.2g} %; "
+        "of "
+        "rows fitted there {:.2g}, {:.2g}, {:.2g} %\n",
+        name, json[key]["skies"].get<std::size_t>(), percent("table", "median"), percent("table", "p90"),
+        percent("table", "worst"), percent("row_alone", "median"), percent("row_alone", "p90"),
+        percent("row_alone", "worst"));
+  }
+}
+
 void run(const TableOptions& options, const std::string& command_line) {
   require_writable_outputs(options);
   const Context context = options.scene.context();
@@ -128,7 +155,8 @@ void run(const TableOptions& options, const std::string& command_line) {
   const std::vector<SkyMap> maps = simulate_sky(context, scene, options.scene.transfer());
   SkyFitOptions fit_options;
   fit_options.weights = options.weights;
-  const SkyTable table = fit_table(context, maps, fit_options);
+  SkyTable table = fit_table(context, maps, fit_options);
+  measure_between_nodes(context, options, scene, fit_options, table);
 
   create_folder(options.out);
   Provenance provenance = options.scene.provenance(context, scene, command_line);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "skylut/core/check.hpp"
 
@@ -14,21 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kCloseFactor = 1.2;
 constexpr double kCloseAbove = 0.01;
-
-// The digits of i in a base, mirrored at the point: evenly spread over [0, 1) (Halton 1960).
-double halton(std::size_t i, std::size_t base) {
-  double fraction = 1.0;
-  double value = 0.0;
-  for (; i > 0; i /= base) {
-    fraction /= static_cast<double>(base);
-    value += fraction * static_cast<double>(i % base);
-  }
-  return value;
-}
-
-double within(const Range& range, double part) {
-  return range.lowest + part * (range.highest - range.lowest);
-}
+constexpr double kHorizon_deg = 90.0;
 
 Yxy rms_of(const Sky& sky, const HeldOutSky& truth) {
   std::vector<Yxy> colours(truth.directions.size());
@@ -36,7 +23,7 @@ Yxy rms_of(const Sky& sky, const HeldOutSky& truth) {
   Yxy squares;
   double all = 0.0;
   for (std::size_t i = 0; i < colours.size(); ++i) {
-    const double weight = truth.solid_angles[i];
+    const double weight = truth.solid_angles_sr[i];
     const double Y = colours[i].Y / truth.colours[i].Y - 1.0;
     const double x = colours[i].x - truth.colours[i].x;
     const double y = colours[i].y - truth.colours[i].y;
@@ -63,23 +50,19 @@ Json json_of(const ErrorSpread& spread) {
   return {{"median", spread.median}, {"p90", spread.p90}, {"worst", spread.worst}};
 }
 
-}  // namespace
-
-std::vector<SkyConditions> held_out_conditions(const Range& altitude_km, TurbidityKind kind,
-                                               const Range& turbidity, const Range& sun_zenith_deg,
-                                               std::size_t loads, std::size_t skies_per_load) {
-  std::vector<SkyConditions> all;
-  for (std::size_t load = 0; load < loads; ++load)
-    for (std::size_t i = 0; i < skies_per_load; ++i) {
-      const std::size_t sky = load * skies_per_load + i + 1;
-      SkyConditions conditions;
-      conditions.turbidity = {kind, within(turbidity, halton(load + 1, 2))};
-      conditions.altitude_km = within(altitude_km, halton(sky, 3));
-      conditions.sun = {within(sun_zenith_deg, halton(sky, 5)), 0.0};
-      all.push_back(conditions);
-    }
-  return all;
+Json json_of(const BetweenNodesError& error) {
+  return {{"skies", error.skies},
+          {"table", {{"Y", json_of(error.Y)}, {"x", json_of(error.x)}, {"y", json_of(error.y)}}},
+          {"row_alone",
+           {{"Y", json_of(error.Y_alone)}, {"x", json_of(error.x_alone)}, {"y", json_of(error.y_alone)}}},
+          {"within_1.2_times_row_alone_plus_0.01", error.close},
+          {"worst_Y_at",
+           {{"altitude_km", error.worst_of_Y.altitude_km},
+            {"turbidity", error.worst_of_Y.turbidity.value},
+            {"sun_zenith_deg", error.worst_of_Y.sun.zenith_deg}}}};
 }
+
+}  // namespace
 
 BetweenNodesError between_nodes_error(const TableModel& table, std::span<const HeldOutSky> skies) {
   SKYLUT_CHECK_GE(skies.size(), 1U);
@@ -108,20 +91,17 @@ BetweenNodesError between_nodes_error(const TableModel& table, std::span<const H
   return error;
 }
 
-Json between_nodes_json(const BetweenNodesError& error) {
+Json between_nodes_json(const TableModel& table, std::span<const HeldOutSky> skies) {
+  std::vector<HeldOutSky> by_day;
+  std::vector<HeldOutSky> in_twilight;
+  for (const HeldOutSky& sky : skies)
+    (sky.alone.sun.zenith_deg <= kHorizon_deg ? by_day : in_twilight).push_back(sky);
   Json json;
   json["what"] =
       "root mean square by solid angle over the dome, at conditions between the rows against simulations; Y "
       "relative, x and y absolute; row_alone: of a row fitted at those very conditions";
-  json["skies"] = error.skies;
-  json["sun_zenith_to_deg"] = error.sun_zenith_to_deg;
-  json["table"] = {{"Y", json_of(error.Y)}, {"x", json_of(error.x)}, {"y", json_of(error.y)}};
-  json["row_alone"] = {
-      {"Y", json_of(error.Y_alone)}, {"x", json_of(error.x_alone)}, {"y", json_of(error.y_alone)}};
-  json["within_1.2_times_row_alone_plus_0.01"] = error.close;
-  json["worst_Y_at"] = {{"altitude_km", error.worst_of_Y.altitude_km},
-                        {"turbidity", error.worst_of_Y.turbidity.value},
-                        {"sun_zenith_deg", error.worst_of_Y.sun.zenith_deg}};
+  if (!by_day.empty()) json["sun_up"] = json_of(between_nodes_error(table, by_day));
+  if (!in_twilight.empty()) json["sun_below_horizon"] = json_of(between_nodes_error(table, in_twilight));
   return json;
 }
 

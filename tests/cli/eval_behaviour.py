@@ -77,6 +77,26 @@ class Eval(unittest.TestCase):
             expected = sum(weight * sky[i]["Y_cd_m2"] for weight, sky in zip(weights, skies))
             self.assertAlmostEqual(view["Y_cd_m2"], expected, delta=1e-6 * abs(expected))
 
+    def test_a_runtime_table_states_its_error_and_eval_carries_it(self):
+        screen = self.work.succeed("table", "--out", "runtime", "--grid", "runtime", "--altitudes-km", "1",
+                                   "--turbidities", "0.1", "--suns", "40:180,60:180", *COARSE)
+        self.assertIn("between its rows, sun up, 5 skies: rms of Y median", screen)
+        stated = json.loads(self.work.path("runtime/table.json").read_text())["between_nodes"]
+        self.assertNotIn("sun_below_horizon", stated)
+        of_table, alone = (stated["sun_up"][of]["Y"] for of in ("table", "row_alone"))
+        self.assertLess(alone["median"], 0.2)
+        self.assertLess(of_table["median"], 1.2 * alone["median"] + 0.05)
+        self.sky("runtime", "--altitude-km", "1", "--sun-zenith-deg", "50")  # no warning
+        self.assertEqual(provenance_of(self.work.path("sky.csv"))["inputs"]["interpolation"]["between_nodes"], stated)
+
+    def test_the_grid_of_preetham_is_in_his_turbidity(self):
+        self.work.succeed("table", "--out", "preetham", "--grid", "preetham", "--suns", "45:180", *COARSE)
+        rows = rows_of(self.work.path("preetham/table.csv"))
+        self.assertEqual([row["turbidity"] for row in rows], [2, 3, 4, 5, 6])
+        listed = json.loads(self.work.path("preetham/table.json").read_text())["inputs"]["turbidities"]
+        self.assertEqual({one["kind"] for one in listed}, {"preetham-t"})
+        self.sky("preetham", "--turbidity", "3", "--sun-zenith-deg", "45")
+
     def test_turbidities_of_other_kinds_are_the_tables(self):
         listed = json.loads(self.work.path("out/table.json").read_text())["inputs"]["turbidities"]
         own = self.sky("out", "--turbidity", "0.4", "--sun-zenith-deg", "60")

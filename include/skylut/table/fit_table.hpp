@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "skylut/fit/fit_sky.hpp"
@@ -16,6 +17,7 @@ struct Context;
 struct SkyTable {
   std::vector<TableEntry> entries;
   std::vector<SkyFit> fits;
+  std::string between_nodes;  ///< JSON text of between_nodes_json(); empty: not measured
 };
 
 /// Fits every map, in parallel; row i is map i. A row does not depend on the other maps nor on the

@@ -28,7 +28,7 @@ TableEntry row(double altitude_km, double zenith_kcd_m2) {
 HeldOutSky held_out(double truth) {
   HeldOutSky sky;
   sky.directions = {{0.0, 0.0}, {40.0, 90.0}, {80.0, 10.0}};
-  sky.solid_angles = {1.0, 2.0, 5.0};
+  sky.solid_angles_sr = {1.0, 2.0, 5.0};
   sky.colours.resize(3);
   sky_of(row(1.0, truth)).colour(sky.directions, sky.colours);
   sky.alone = row(1.0, 1.05 * truth);
@@ -47,26 +47,34 @@ TEST(BetweenNodes, ErrorsAreThoseOfTheBlend) {
   EXPECT_NEAR(error.x.worst, 0.0, 1e-12);
   EXPECT_EQ(error.close, 2u);  // 0 and 0.06 are at most 1.2 × 0.05 + 0.01
   EXPECT_EQ(error.worst_of_Y.altitude_km, 1.0);
-  EXPECT_EQ(between_nodes_json(error)["table"]["Y"]["worst"], error.Y.worst);
+  const auto json = between_nodes_json(table, skies);
+  EXPECT_EQ(json["sun_up"]["table"]["Y"]["worst"], error.Y.worst);
+  EXPECT_FALSE(json.contains("sun_below_horizon"));
 }
 
-TEST(BetweenNodes, HeldOutConditionsAreSpreadOverTheBox) {
-  const auto conditions =
-      held_out_conditions({0.0, 30.0, "km"}, TurbidityKind::aod500, {0.0, 1.0, ""}, {0.0, 90.0, "deg"}, 8, 5);
-  ASSERT_EQ(conditions.size(), 40u);
+TEST(HeldOut, ConditionsAreSpreadOverTheDomain) {
+  ModelInfo domain;
+  domain.altitude_km = {0.0, 30.0, "km"};
+  domain.turbidity = {0.0, 1.0, ""};
+  domain.sun_zenith_deg = {0.0, 96.0, "deg"};
+  const auto all = held_out_conditions(domain);
+  ASSERT_EQ(all.size(), 8u);
   std::set<double> loads;
-  std::set<int> fifths;
-  double altitudes = 0.0;
-  for (const SkyConditions& one : conditions) {
-    loads.insert(one.turbidity.value);
-    fifths.insert(static_cast<int>(one.sun.zenith_deg / 18.0));
-    altitudes += one.altitude_km;
-    EXPECT_GT(one.turbidity.value, 0.0);
-    EXPECT_LT(one.sun.zenith_deg, 90.0);
+  double altitudes_km = 0.0;
+  for (const HeldOutConditions& one : all) {
+    EXPECT_GT(one.turbidity, 0.0);
+    EXPECT_LT(one.turbidity, 1.0);
+    loads.insert(one.turbidity);
+    for (const double altitude_km : one.altitudes_km) altitudes_km += altitude_km / 40.0;
+    std::set<int> fifths;  // of the way to the horizon; 5: below it
+    for (const double sun_deg : one.sun_zeniths_deg) fifths.insert(static_cast<int>(sun_deg / 18.0));
+    EXPECT_EQ(fifths.size(), 6u);
+    EXPECT_EQ(one.sun_zeniths_deg.size(), 7u);
   }
   EXPECT_EQ(loads.size(), 8u);
-  EXPECT_EQ(fifths.size(), 5u);
-  EXPECT_NEAR(altitudes / 40.0, 15.0, 1.0);
+  EXPECT_NEAR(altitudes_km, 15.0, 1.0);
+  domain.altitude_km = {6.0, 6.0, "km"};
+  EXPECT_EQ(held_out_conditions(domain).front().altitudes_km, std::vector<double>{6.0});
 }
 
 }  // namespace

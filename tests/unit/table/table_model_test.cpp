@@ -241,6 +241,23 @@ TEST(TableModel, UtmRuleIsExactForACubic) {
   }
 }
 
+// Of five altitudes the two on either side: at 9 km the row on the ground does not matter, at 3 km that
+// at 20.
+TEST(TableModel, UtmRuleTakesTheAltitudesAround) {
+  const auto brighter_at = [](double altitude_km) {
+    return grid_model({.rule = TableRule::utm2005}, [=](TableEntry& row) {
+      if (row.altitude_km == altitude_km) row.zenith.Y *= 2.0;
+    });
+  };
+  const auto zenith = [](const TableModel& model, double altitude_km) {
+    return model.at(conditions(altitude_km, 0.25, {60.0, 0.0}))->colour(Direction{}).Y;
+  };
+  EXPECT_EQ(zenith(brighter_at(0.0), 9.0), zenith(brighter_at(-1.0), 9.0));
+  EXPECT_NE(zenith(brighter_at(20.0), 9.0), zenith(brighter_at(-1.0), 9.0));
+  EXPECT_EQ(zenith(brighter_at(20.0), 3.0), zenith(brighter_at(-1.0), 3.0));
+  EXPECT_NE(zenith(brighter_at(0.0), 3.0), zenith(brighter_at(-1.0), 3.0));
+}
+
 TEST(TableModel, UtmRuleNeedsFourAltitudes) {
   const TableModel model(Table({preetham_row(0.0, 0.0, 60.0), preetham_row(6.0, 0.0, 60.0)}),
                          {.rule = TableRule::utm2005});
