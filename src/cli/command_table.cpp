@@ -121,6 +121,18 @@ void settle_grid(TableOptions& options, const OptionSet& given) {
   options.scene.take_turbidities_as(grid.turbidity_kind);
 }
 
+// @param errors  of some skies, as between_nodes_json() has them
+void print_between_nodes(const char* which_skies, const nlohmann::ordered_json& errors) {
+  const auto percents = [&errors](const char* of) {
+    const nlohmann::ordered_json& Y = errors[of]["Y"];
+    return fmt::format("median {:.2g} %, 90th percentile {:.2g} %, worst {:.2g} %",
+                       100.0 * Y["median"].get<double>(), 100.0 * Y["p90"].get<double>(),
+                       100.0 * Y["worst"].get<double>());
+  };
+  fmt::print("between its rows, {}, {} skies: rms of Y {}; of rows fitted there {}\n", which_skies,
+             errors["skies"].get<std::size_t>(), percents("table"), percents("row_alone"));
+}
+
 // Of a table that is meant to be interpolated: what it errs between its rows.
 void measure_between_nodes(const Context& context, const TableOptions& options, const SkyScene& scene,
                            const SkyFitOptions& fit, SkyTable& table) {
@@ -130,20 +142,9 @@ void measure_between_nodes(const Context& context, const TableOptions& options, 
       held_out_skies(context, scene, options.scene.transfer(), fit, model.info());
   const nlohmann::ordered_json json = between_nodes_json(model, skies);
   table.between_nodes = json.dump();
-  for (const auto& [key, name] :
-       {std::pair{"sun_up", "sun up"}, {"sun_below_horizon", "sun below the horizon"}}) {
-    if (!json.contains(key)) continue;
-    const auto percent = [&](const char* of, const char* which) {
-      return 100.0 * json[key][of]["Y"][which].get<double>();
-    };
-    fmt::print(
-        "between its rows, {}, {} skies: rms of Y median {:.2g} %, 90th percentile {:.2g} %, worst {:.2g} %; "
-        "of "
-        "rows fitted there {:.2g}, {:.2g}, {:.2g} %\n",
-        name, json[key]["skies"].get<std::size_t>(), percent("table", "median"), percent("table", "p90"),
-        percent("table", "worst"), percent("row_alone", "median"), percent("row_alone", "p90"),
-        percent("row_alone", "worst"));
-  }
+  if (json.contains("sun_up")) print_between_nodes("sun up", json["sun_up"]);
+  if (json.contains("sun_below_horizon"))
+    print_between_nodes("sun below the horizon", json["sun_below_horizon"]);
 }
 
 void run(const TableOptions& options, const std::string& command_line) {
