@@ -43,12 +43,6 @@ struct TableOptions {
   bool save_maps = false;
 };
 
-Kind<std::string> grid_kind() {
-  std::vector<std::string> names;
-  for (const NamedGrid& grid : named_grids()) names.push_back(grid.name);
-  return choice(names);
-}
-
 std::string grid_texts() {
   std::vector<std::string> texts;
   for (const NamedGrid& grid : named_grids()) texts.push_back(fmt::format("{} ({})", grid.name, grid.what));
@@ -191,7 +185,7 @@ Command table_command() {
   Option& out = set.add("--out", options->out, folder_out(), "folder for the results, created if need be");
   out.required = true;
   out.recorded = false;
-  set.add("--grid", options->grid, grid_kind(),
+  set.add("--grid", options->grid, choice(grid_names()),
           "axes by name: " + grid_texts() + "; single axes may be given too");
   set.add("--altitudes-km", options->altitudes_km, numbers(domain::kObserver_km),
           "of the observers above the ground, 0 to 30");

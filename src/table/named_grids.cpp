@@ -41,13 +41,16 @@ const std::vector<NamedGrid>& named_grids() {
   return grids;
 }
 
-const NamedGrid& named_grid(const std::string& name) {
+std::vector<std::string> grid_names() {
   std::vector<std::string> names;
-  for (const NamedGrid& grid : named_grids()) {
+  for (const NamedGrid& grid : named_grids()) names.push_back(grid.name);
+  return names;
+}
+
+const NamedGrid& named_grid(const std::string& name) {
+  for (const NamedGrid& grid : named_grids())
     if (grid.name == name) return grid;
-    names.push_back(grid.name);
-  }
-  throw InputError("grid '{}': must be {}{}", name, listed(names), suggested(name, names));
+  throw InputError("grid '{}': must be {}{}", name, listed(grid_names()), suggested(name, grid_names()));
 }
 
 }  // namespace skylut

@@ -24,6 +24,9 @@ struct NamedGrid {
 /// runtime   dense enough to be interpolated: 0-30 km, aod500 0-1, suns 0-96° [fit.md T5]
 const std::vector<NamedGrid>& named_grids();
 
+/// Their names.
+std::vector<std::string> grid_names();
+
 /// @throws InputError  naming the text and the grids there are
 const NamedGrid& named_grid(const std::string& name);
 
