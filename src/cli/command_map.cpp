@@ -10,6 +10,7 @@
 
 #include "advice.hpp"
 #include "commands.hpp"
+#include "directions_option.hpp"
 #include "map_pictures.hpp"
 #include "memory.hpp"
 #include "options/file_kinds.hpp"
@@ -18,7 +19,6 @@
 #include "picture_options.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
-#include "skylut/export/directions_csv.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "sun_option.hpp"
 
@@ -64,17 +64,6 @@ SkyScene scene_of(const Context& context, MapOptions& options) {
   options.sun.require_above(domain::kSunZenith_deg.highest, scene.suns.front(),
                             "the sky's light ends at 96 deg (night)");
   return scene;
-}
-
-std::vector<Direction> directions_of(const std::string& name_or_file) {
-  if (name_or_file == "utm271") return directions_utm271();
-  if (name_or_file == "preetham343") return directions_preetham343();
-  std::error_code ignored;
-  if (!fs::exists(name_or_file, ignored))
-    throw InputError(
-        "--directions '{}': must be utm271, preetham343 or a CSV file with columns zenith_deg,azimuth_deg{}",
-        name_or_file, suggested(name_or_file, {"utm271", "preetham343"}));
-  return read_directions_csv(name_or_file);
 }
 
 RequestSize size_of(const SkyScene& scene) {
@@ -176,8 +165,7 @@ Command map_command() {
           "of the observer above the ground, 0 to 30");
   add_turbidity(set, options->turbidity);
   options->sun.add_to(set, domain::kSunZenith_deg, time_or_steps());
-  set.add("--directions", options->directions, name_or_file(),
-          "utm271 (default), preetham343 or a CSV file (for .csv)");
+  add_directions(set, options->directions);
   options->picture.add_to(set);
   options->sun.add_series_to(set);
   set.add("--frame", options->frame, whole_number({1.0, domain::kMostFrames, ""}),

@@ -7,24 +7,19 @@
 
 namespace skylut {
 
-namespace {
-
-constexpr Range kViewZenith_deg{0.0, 90.0, "deg"};
-
-}  // namespace
-
 void PerezSky::colour(std::span<const Direction> views, std::span<Yxy> colours) const {
   if (views.size() != colours.size())
     throw InputError("sky in {} directions into {} colours: must be as many", views.size(), colours.size());
   const double largest_B = std::max({coefficients_.Y.B, coefficients_.x.B, coefficients_.y.B});
   for (std::size_t i = 0; i < views.size(); ++i) {
-    require_within("view zenith angle", views[i].zenith_deg, kViewZenith_deg);
-    if (views[i].zenith_deg == kViewZenith_deg.highest && largest_B >= 0.0)
+    require_within("view zenith angle", views[i].zenith_deg, {0.0, horizon_zenith_deg_, "deg"});
+    const double zenith_deg = std::min(views[i].zenith_deg * (90.0 / horizon_zenith_deg_), 90.0);
+    if (zenith_deg == 90.0 && largest_B >= 0.0)
       throw InputError(
           "view at the horizon: Perez coefficient B = {}: must be below 0, or the sky is infinite there",
           largest_B);
     colours[i] = perez_sky(coefficients_.Y, coefficients_.x, coefficients_.y, zenith_,
-                           views[i].zenith_deg * kRadiansPerDegree, angle_between(views[i], sun_),
+                           zenith_deg * kRadiansPerDegree, angle_between(views[i], sun_),
                            sun_.zenith_deg * kRadiansPerDegree);
   }
 }

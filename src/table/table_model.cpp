@@ -44,7 +44,8 @@ ModelInfo info_of(const Table& table) {
 PerezSky sky_of(const TableEntry& entry) {
   return {{entry.Y, entry.x, entry.y},
           {entry.zenith.Y * kCandelaPerKilocandela, entry.zenith.x, entry.zenith.y},
-          entry.sun};
+          entry.sun,
+          entry.horizon_zenith_deg};
 }
 
 TableModel::TableModel(Table table) : table_(std::move(table)), info_(info_of(table_)) {}

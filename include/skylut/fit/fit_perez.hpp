@@ -28,6 +28,7 @@ enum class ResidualKind {
 enum class SampleWeights {
   uniform,      ///< every direction counts the same, as in the sources
   solid_angle,  ///< every direction counts with the solid angle of its ring, divided among the ring
+  horizon,      ///< the same, times horizon_emphasis()
 };
 
 enum class Termination {

@@ -16,16 +16,20 @@ struct PerezYxy {
 /// gives for one turbidity and sun.
 class PerezSky final : public Sky {
  public:
-  /// @param zenith  Y in cd/m²
-  PerezSky(const PerezYxy& coefficients, const Yxy& zenith, const Direction& sun)
-      : coefficients_(coefficients), zenith_(zenith), sun_(sun) {}
+  /// @param zenith              Y in cd/m²
+  /// @param horizon_zenith_deg  [90, 180): where the formulas have their horizon. They take a view's zenith
+  ///                            angle times 90 over it, and its true angle to the sun.
+  PerezSky(const PerezYxy& coefficients, const Yxy& zenith, const Direction& sun,
+           double horizon_zenith_deg = 90.0)
+      : coefficients_(coefficients), zenith_(zenith), sun_(sun), horizon_zenith_deg_(horizon_zenith_deg) {}
 
   const PerezYxy& coefficients() const { return coefficients_; }
   const Yxy& zenith() const { return zenith_; }  ///< Y in cd/m²
   const Direction& sun() const { return sun_; }
+  double horizon_zenith_deg() const { return horizon_zenith_deg_; }
 
   using Sky::colour;
-  /// @throws InputError  for a view not within 0-90°, or at the horizon where a B is not below 0 (infinite
+  /// @throws InputError  for a view not within 0 to the horizon's zenith angle, or at the horizon where a B is not below 0 (infinite
   /// there)
   void colour(std::span<const Direction> views, std::span<Yxy> colours) const override;
 
@@ -33,6 +37,7 @@ class PerezSky final : public Sky {
   PerezYxy coefficients_;
   Yxy zenith_;
   Direction sun_;
+  double horizon_zenith_deg_;
 };
 
 }  // namespace skylut
