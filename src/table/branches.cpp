@@ -4,70 +4,101 @@
 #include <cmath>
 #include <limits>
 
-#include "skylut/core/constants.hpp"
-#include "skylut/core/directions.hpp"
+#include "half_skies.hpp"
 
 namespace skylut::table_detail {
 
 namespace {
 
-constexpr double kImpossible = 100.0;  // of a direction whose half is not positive; ln 2 makes 0.5
+constexpr std::size_t kAxes = 3;
 
-double relative(const PerezCoefficients& k, const Direction& view, double sun_rad) {
-  const double gamma = angle_between(view, {sun_rad * kDegreesPerRadian, 0.0});
-  return perez_relative(k, view.zenith_deg * kRadiansPerDegree, gamma, sun_rad);
-}
-
-const std::vector<Direction>& dome() {
-  static const std::vector<Direction> views = [] {
-    std::vector<Direction> all{{0.0, 0.0}};
-    for (const double zenith : {10.0, 22.5, 35.0, 45.0, 55.0, 67.5, 78.0, 85.0, 88.0, 89.5, 90.0})
-      for (const double azimuth : {0.0, 2.0, 10.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0})
-        all.push_back({zenith, azimuth});
-    return all;
-  }();
-  return views;
-}
-
-class Chooser {
+/// The misfits of all halves between neighbours.
+class Halves {
  public:
-  explicit Chooser(const BranchGrid& grid) : grid_(grid), chosen_(grid.branches.size(), 0) {}
-
-  std::vector<std::size_t> choose() {
-    constexpr int kMostSweeps = 20;
-    bool moved = true;
-    for (int sweep = 0; moved && sweep < kMostSweeps; ++sweep) {
-      moved = false;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        for (std::size_t node = 0; node < chosen_.size(); ++node)
-          if (position(node, axis) == 0) moved = settle_line(node, axis) || moved;
+  explicit Halves(const BranchGrid& grid) : grid_(grid) {
+    for (const double sun : grid.sun_zeniths_rad) suns_.emplace_back(sun);
+    for (std::size_t sun = 1; sun < grid.sun_zeniths_rad.size(); ++sun)
+      between_suns_.emplace_back(0.5 * (grid.sun_zeniths_rad[sun - 1] + grid.sun_zeniths_rad[sun]));
+    for (std::size_t node = 0; node < grid.branches.size(); ++node) {
+      auto& skies = logarithms_.emplace_back();
+      for (const Branch& branch : grid.branches[node]) {
+        skies.push_back(suns_[position(node, 2)].relative(branch.coefficients));
+        for (double& value : skies.back()) value = std::log(value);
+      }
     }
-    return chosen_;
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      for (std::size_t node = 0; node < grid.branches.size(); ++node)
+        tables_[axis].push_back(is_last(node, axis) ? std::vector<double>() : table(node, axis));
   }
 
- private:
   std::size_t stride(std::size_t axis) const {
     return axis == 2 ? 1 : axis == 1 ? grid_.sizes[2] : grid_.sizes[1] * grid_.sizes[2];
   }
   std::size_t position(std::size_t node, std::size_t axis) const {
     return node / stride(axis) % grid_.sizes[axis];
   }
-
-  double between(std::size_t one, std::size_t branch, std::size_t other, std::size_t other_branch) const {
-    return half_misfit(grid_.branches[one][branch].coefficients, grid_.sun_zeniths_rad[position(one, 2)],
-                       grid_.branches[other][other_branch].coefficients,
-                       grid_.sun_zeniths_rad[position(other, 2)]);
+  bool is_last(std::size_t node, std::size_t axis) const {
+    return position(node, axis) + 1 == grid_.sizes[axis];
   }
 
-  // A branch's own cost and its halves with the neighbours across the line. Equal halves: the cheaper.
+  /// Between a node's branch and one of the next node's along an axis.
+  double at(std::size_t node, std::size_t branch, std::size_t axis, std::size_t next_branch) const {
+    return tables_[axis][node][branch * grid_.branches[node + stride(axis)].size() + next_branch];
+  }
+
+ private:
+  std::vector<double> table(std::size_t node, std::size_t axis) const {
+    const std::size_t next = node + stride(axis);
+    const std::size_t sun = position(node, 2);
+    const FormulaDome& dome = axis == 2 ? between_suns_[sun] : suns_[sun];
+    std::vector<double> misfits;
+    for (std::size_t one = 0; one < grid_.branches[node].size(); ++one)
+      for (std::size_t other = 0; other < grid_.branches[next].size(); ++other)
+        misfits.push_back(half_misfit(dome, grid_.branches[node][one].coefficients, logarithms_[node][one],
+                                      grid_.branches[next][other].coefficients, logarithms_[next][other],
+                                      grid_.limit));
+    return misfits;
+  }
+
+  const BranchGrid& grid_;
+  std::vector<FormulaDome> suns_;
+  std::vector<FormulaDome> between_suns_;
+  std::vector<std::vector<std::vector<double>>> logarithms_;         // [node][branch][direction]
+  std::array<std::vector<std::vector<double>>, kAxes> tables_;  // [axis][node][branch × next branch]
+};
+
+class Chooser {
+ public:
+  explicit Chooser(const BranchGrid& grid) : grid_(grid), halves_(grid), chosen_(grid.branches.size(), 0) {}
+
+  ChosenBranches choose() {
+    constexpr int kMostSweeps = 20;
+    bool moved = true;
+    for (int sweep = 0; moved && sweep < kMostSweeps; ++sweep) {
+      moved = false;
+      for (std::size_t axis = 0; axis < kAxes; ++axis)
+        for (std::size_t node = 0; node < chosen_.size(); ++node)
+          if (halves_.position(node, axis) == 0) moved = settle_line(node, axis) || moved;
+    }
+    return {chosen_, beside_impossible()};
+  }
+
+ private:
+  // What a branch loses by itself. Of equal halves the cheaper branch; one that is not as good only for halves
+  // that are impossible otherwise.
+  static double loss(const Branch& branch) {
+    return branch.as_good ? 1e-3 * branch.excess : 5.0 + branch.excess;
+  }
+
+  // That and its halves with the neighbours across the line.
   double own(std::size_t node, std::size_t branch, std::size_t line_axis) const {
-    double sum = 1e-3 * grid_.branches[node][branch].excess;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    double sum = loss(grid_.branches[node][branch]);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (axis == line_axis) continue;
-      const std::size_t at = position(node, axis);
-      if (at > 0) sum += between(node, branch, node - stride(axis), chosen_[node - stride(axis)]);
-      if (at + 1 < grid_.sizes[axis])
-        sum += between(node, branch, node + stride(axis), chosen_[node + stride(axis)]);
+      const std::size_t before = node - halves_.stride(axis);
+      if (halves_.position(node, axis) > 0) sum += halves_.at(before, chosen_[before], axis, branch);
+      if (!halves_.is_last(node, axis))
+        sum += halves_.at(node, branch, axis, chosen_[node + halves_.stride(axis)]);
     }
     return sum;
   }
@@ -75,21 +106,21 @@ class Chooser {
   // The best branches along one line, by dynamic programming. Whether any changed for less.
   bool settle_line(std::size_t first, std::size_t axis) {
     const std::size_t length = grid_.sizes[axis];
+    const std::size_t stride = halves_.stride(axis);
     std::vector<std::vector<double>> best(length);
     std::vector<std::vector<std::size_t>> from(length);
     for (std::size_t i = 0; i < length; ++i) {
-      const std::size_t node = first + i * stride(axis);
+      const std::size_t node = first + i * stride;
       for (std::size_t branch = 0; branch < grid_.branches[node].size(); ++branch) {
         double least = i == 0 ? 0.0 : std::numeric_limits<double>::infinity();
         std::size_t least_from = 0;
-        if (i > 0)
-          for (std::size_t before = 0; before < best[i - 1].size(); ++before) {
-            const double sum = best[i - 1][before] + between(node, branch, node - stride(axis), before);
-            if (sum < least) {
-              least = sum;
-              least_from = before;
-            }
+        for (std::size_t before = 0; i > 0 && before < best[i - 1].size(); ++before) {
+          const double sum = best[i - 1][before] + halves_.at(node - stride, before, axis, branch);
+          if (sum < least) {
+            least = sum;
+            least_from = before;
           }
+        }
         best[i].push_back(least + own(node, branch, axis));
         from[i].push_back(least_from);
       }
@@ -98,7 +129,7 @@ class Chooser {
     if (!(*last < cost_of_line(first, axis) * (1.0 - 1e-9))) return false;
     auto branch = static_cast<std::size_t>(last - best.back().begin());
     for (std::size_t i = length; i-- > 0;) {
-      chosen_[first + i * stride(axis)] = branch;
+      chosen_[first + i * stride] = branch;
       branch = from[i][branch];
     }
     return true;
@@ -107,39 +138,33 @@ class Chooser {
   double cost_of_line(std::size_t first, std::size_t axis) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < grid_.sizes[axis]; ++i) {
-      const std::size_t node = first + i * stride(axis);
+      const std::size_t node = first + i * halves_.stride(axis);
       sum += own(node, chosen_[node], axis);
-      if (i > 0) sum += between(node, chosen_[node], node - stride(axis), chosen_[node - stride(axis)]);
+      if (!halves_.is_last(node, axis))
+        sum += halves_.at(node, chosen_[node], axis, chosen_[node + halves_.stride(axis)]);
     }
     return sum;
   }
 
+  std::vector<bool> beside_impossible() const {
+    std::vector<bool> beside(chosen_.size(), false);
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      for (std::size_t node = 0; node < chosen_.size(); ++node) {
+        if (halves_.is_last(node, axis)) continue;
+        const std::size_t next = node + halves_.stride(axis);
+        if (halves_.at(node, chosen_[node], axis, chosen_[next]) >= kImpossibleHalf)
+          beside[node] = beside[next] = true;
+      }
+    return beside;
+  }
+
   const BranchGrid& grid_;
+  Halves halves_;
   std::vector<std::size_t> chosen_;
 };
 
 }  // namespace
 
-double half_misfit(const PerezCoefficients& one, double sun_one_rad, const PerezCoefficients& other,
-                   double sun_other_rad) {
-  const PerezCoefficients half{0.5 * (one.A + other.A), 0.5 * (one.B + other.B), 0.5 * (one.C + other.C),
-                               0.5 * (one.D + other.D), 0.5 * (one.E + other.E)};
-  const double sun_rad = 0.5 * (sun_one_rad + sun_other_rad);
-  double sum = 0.0;
-  for (const Direction& view : dome()) {
-    const double found = relative(half, view, sun_rad);
-    const double below = relative(one, view, sun_one_rad);
-    const double above = relative(other, view, sun_other_rad);
-    if (found > 0.0 && below > 0.0 && above > 0.0) {
-      const double off = std::log(found) - 0.5 * (std::log(below) + std::log(above));
-      sum += std::min(off * off, kImpossible);
-    } else {
-      sum += kImpossible;
-    }
-  }
-  return sum / static_cast<double>(dome().size());
-}
-
-std::vector<std::size_t> choose_branches(const BranchGrid& grid) { return Chooser(grid).choose(); }
+ChosenBranches choose_branches(const BranchGrid& grid) { return Chooser(grid).choose(); }
 
 }  // namespace skylut::table_detail

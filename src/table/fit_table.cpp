@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -92,6 +93,45 @@ struct FittedSky {
                                options_of(c, options), options.branch_tolerance);
   }
 
+  /// Other formulas than the minima: the best of slices of D and of B, in the valley that the least minimum
+  /// lies in or outside it.
+  void add_slices(std::size_t channel, const TableFitOptions& options) {
+    const FitOptions whole = options_of(channel, options);
+    std::vector<PerezMinimum>& known = minima[channel];
+    const auto add_best_of = [&](FitOptions slice) {
+      constexpr int kStarts = 4;
+      slice.starts = kStarts;
+      PerezMinimum best = perez_minima(samples[channel], sun_zenith_rad, zenith.*kChannels[channel].colour,
+                                       slice, 0.0)
+                              .front();
+      if (best.termination == Termination::converged) known.push_back(std::move(best));
+    };
+    const auto for_slices = [](std::initializer_list<double> inner, double lower, double upper, const auto& use) {
+      double from = lower;
+      for (const double edge : inner) {
+        if (edge <= from || edge >= upper) continue;
+        use(from, edge);
+        from = edge;
+      }
+      use(from, upper);
+    };
+    for_slices({-20.0, -10.0, -6.0, -4.0, -3.0, -2.0, -1.5, -1.0, -0.75, -0.5, -0.3, 0.3,
+                0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0}, whole.D_lower, whole.D_upper,
+               [&](double from, double to) {
+                 FitOptions slice = whole;
+                 slice.D_lower = from;
+                 slice.D_upper = to;
+                 add_best_of(slice);
+               });
+    for_slices({-5.0, -3.0, -2.0, -1.4, -1.0, -0.7, -0.5, -0.35, -0.25, -0.17, -0.12, -0.08, -0.06, -0.04, -0.03, -0.02}, whole.B_lower, whole.B_upper,
+               [&](double from, double to) {
+                 FitOptions slice = whole;
+                 slice.B_lower = from;
+                 slice.B_upper = to;
+                 add_best_of(slice);
+               });
+  }
+
   FitReport report(std::size_t channel, std::size_t branch, const TableFitOptions& options) const {
     return perez_report(samples[channel], sun_zenith_rad, zenith.*kChannels[channel].colour,
                         options_of(channel, options), minima[channel][branch]);
@@ -154,20 +194,43 @@ GridPlaces grid_of(const std::vector<FittedSky>& fitted) {
   return places;
 }
 
-/// The branch of every fitted sky's channel. [fit.md F8]
-std::vector<std::size_t> branches_of(const GridPlaces& places, const std::vector<FittedSky>& fitted,
-                                     std::size_t channel) {
-  std::vector<std::size_t> chosen(fitted.size(), 0);
-  if (places.sky.empty()) return chosen;
+/// The places' grid with the minima that the skies have now.
+BranchGrid grid_with_branches(const GridPlaces& places, const std::vector<FittedSky>& fitted,
+                              std::size_t channel, double tolerance) {
+  // Of ln F: a luminance that is positive, a chromaticity off by a fifth.
+  constexpr std::array<double, 3> kLimits{20.0, 0.4, 0.4};
   BranchGrid grid = places.grid;
+  grid.limit = kLimits[channel];
   for (const std::size_t sky : places.sky) {
     std::vector<Branch>& branches = grid.branches.emplace_back();
     const std::vector<PerezMinimum>& minima = fitted[sky].minima[channel];
-    for (const PerezMinimum& minimum : minima)
-      branches.push_back({minimum.coefficients, minimum.cost / minima.front().cost - 1.0});
+    for (const PerezMinimum& minimum : minima) {
+      const double excess = minimum.cost / minima.front().cost - 1.0;
+      branches.push_back({minimum.coefficients, excess, excess <= tolerance});
+    }
   }
-  const std::vector<std::size_t> at = table_detail::choose_branches(grid);
-  for (std::size_t node = 0; node < at.size(); ++node) chosen[places.sky[node]] = at[node];
+  return grid;
+}
+
+/// The branch of every fitted sky's channel. Where the minima leave a half that no sky has, other formulas
+/// are looked at too. [fit.md F8]
+std::vector<std::size_t> branches_of(const Context& context, const GridPlaces& places,
+                                     std::vector<FittedSky>& fitted, std::size_t channel,
+                                     const TableFitOptions& options) {
+  std::vector<std::size_t> chosen(fitted.size(), 0);
+  if (places.sky.empty()) return chosen;
+  BranchGrid grid = grid_with_branches(places, fitted, channel, options.branch_tolerance);
+  table_detail::ChosenBranches at = table_detail::choose_branches(grid);
+  std::vector<std::size_t> bad;
+  for (std::size_t node = 0; node < places.sky.size(); ++node)
+    if (at.beside_impossible[node]) bad.push_back(places.sky[node]);
+  if (!bad.empty()) {
+    parallel_for(bad.size(), context.threads,
+                 [&](std::size_t task) { fitted[bad[task]].add_slices(channel, options); });
+    grid = grid_with_branches(places, fitted, channel, options.branch_tolerance);
+    at = table_detail::choose_branches(grid);
+  }
+  for (std::size_t node = 0; node < places.sky.size(); ++node) chosen[places.sky[node]] = at.branch[node];
   return chosen;
 }
 
@@ -205,12 +268,12 @@ std::string described(const GridPlaces& places) {
 
 TableFitOptions TableFitOptions::half_floats() {
   TableFitOptions options;
-  // A = (g - 1) e^{-B} with g = 1 + A e^B stays below 39 e^7.3 = 5.8e4; C and E stay below 6e4 with 1e3 times
+  // A = (g - 1) e^{-B} with g = 1 + A e^B stays below 7 e^9 = 5.7e4; C and E stay below 6e4 with 1e3 times
   // what a sky varies by.
-  options.fit.B_lower = -7.3;
+  options.fit.B_lower = -9.0;
   options.fit.B_upper = -0.01;
   options.largest_exponential = 6e4;
-  options.fit.largest_gradation = 40.0;
+  options.fit.largest_gradation = 8.0;
   options.fit.largest_scattering = 1000.0;
   return options;
 }
@@ -241,7 +304,8 @@ SkyTable fit_table(const Context& context, std::span<const TableSky> skies, cons
 
   const GridPlaces places = options.branch_tolerance > 0.0 ? grid_of(fitted) : GridPlaces{};
   std::array<std::vector<std::size_t>, 3> branches;
-  for (std::size_t c = 0; c < kChannels.size(); ++c) branches[c] = branches_of(places, fitted, c);
+  for (std::size_t c = 0; c < kChannels.size(); ++c) 
+    branches[c] = branches_of(context, places, fitted, c, options);
 
   std::vector<SkyFit> fits(fitted.size());
   parallel_for(fitted.size(), context.threads, [&](std::size_t i) {
