@@ -77,9 +77,8 @@ TableSampling sampling_of(const TableOptions& options) {
   const std::vector<std::string> names{kDome, kReport2005, "preetham343"};
   if (std::find(names.begin(), names.end(), options.directions) == names.end() &&
       !fs::exists(options.directions, ignored))
-    throw InputError(
-        "--directions '{}': must be {} or a CSV file with columns zenith_deg,azimuth_deg{}", options.directions,
-        fmt::join(names, ", "), suggested(options.directions, names));
+    throw InputError("--directions '{}': must be {} or a CSV file with columns zenith_deg,azimuth_deg{}",
+                     options.directions, fmt::join(names, ", "), suggested(options.directions, names));
   if (options.directions != kDome) sampling.directions = directions_of(options.directions);
   for (const Direction& direction : sampling.directions)
     if (direction.zenith_deg > 90.0)
@@ -108,7 +107,8 @@ std::size_t directions_at_once(const TableSampling& sampling) {
 }
 
 void advise_and_check(const Context& context, const SkyScene& scene, const TableSampling& sampling) {
-  require_memory({static_cast<double>(directions_at_once(sampling)), static_cast<double>(scene.wavelengths.size()),
+  require_memory({static_cast<double>(directions_at_once(sampling)),
+                  static_cast<double>(scene.wavelengths.size()),
                   static_cast<double>(scene.turbidities.size()),
                   static_cast<double>(scene.altitudes_km.size()), static_cast<double>(scene.suns.size())});
   advise_on_turbidity(scene.turbidities, *scene.atmosphere);
@@ -186,12 +186,14 @@ Command table_command() {
           "of the kind of --turbidity-kind");
   set.add("--suns", options->suns, suns(),
           "zenith angle (0 to 96) and azimuth (clockwise from north) in degrees");
-  set.add("--directions", options->directions, name_or_file(),
-          "that the fits see: dome (the whole dome, each sky's own), utm271 (as the UTM report 2005 has it, each "
-          "row alone), preetham343 or a CSV file");
-  set.add("--weights", options->weights, weights_kind(),
-          "of the directions in the fits: horizon (solid angle, the last degrees emphasised; default for dome), "
-          "solid-angle or uniform (default otherwise)");
+  set.add(
+      "--directions", options->directions, name_or_file(),
+      "that the fits see: dome (the whole dome, each sky's own), utm271 (as the UTM report 2005 has it, each "
+      "row alone), preetham343 or a CSV file");
+  set.add(
+      "--weights", options->weights, weights_kind(),
+      "of the directions in the fits: horizon (solid angle, the last degrees emphasised; default for dome), "
+      "solid-angle or uniform (default otherwise)");
   set.add_flag("--to-horizon", options->to_horizon,
                "fit from the zenith to the geometric horizon, which lies below 90 deg aloft");
   set.add_flag("--save-maps", options->save_maps,

@@ -7,8 +7,9 @@ namespace skylut::cli {
 
 /// How much each direction counts in a fit: uniform, solid-angle or horizon.
 inline Kind<SampleWeights> weights_kind() {
-  return choice<SampleWeights>(
-      {{"uniform", SampleWeights::uniform}, {"solid-angle", SampleWeights::solid_angle}, {"horizon", SampleWeights::horizon}});
+  return choice<SampleWeights>({{"uniform", SampleWeights::uniform},
+                                {"solid-angle", SampleWeights::solid_angle},
+                                {"horizon", SampleWeights::horizon}});
 }
 
 }  // namespace skylut::cli

@@ -33,9 +33,8 @@ std::vector<Ring> rings_of(const Layout& layout, double sun_deg, double horizon_
   for (const double offset : layout.around_sun_deg)
     for (const double zenith : {sun_deg - offset, sun_deg + offset})
       if (zenith > kSameRing_deg && zenith <= horizon_deg &&
-          std::none_of(rings.begin(), rings.end(), [&](const Ring& ring) {
-            return std::abs(ring.zenith_deg - zenith) < kSameRing_deg;
-          }))
+          std::none_of(rings.begin(), rings.end(),
+                       [&](const Ring& ring) { return std::abs(ring.zenith_deg - zenith) < kSameRing_deg; }))
         rings.push_back({zenith, true});
   std::sort(rings.begin(), rings.end(),
             [](const Ring& one, const Ring& other) { return one.zenith_deg < other.zenith_deg; });
@@ -97,11 +96,11 @@ DomeDirections laid_out(const Layout& layout, const Direction& sun, double horiz
 }  // namespace
 
 DomeDirections dome_directions(const Direction& sun, double horizon_zenith_deg) {
-  const Layout layout{.zeniths_deg = {0.0,  12.0, 24.0, 36.0, 48.0, 58.0, 66.0, 72.0, 76.0, 80.0,
-                                      82.0, 84.0, 86.0, 87.0, 88.0, 89.0, 89.5, 89.9, 90.0},
+  const Layout layout{.zeniths_deg = {0.0, 12.0, 24.0, 36.0, 48.0, 57.0, 65.0, 72.0, 76.0, 80.0, 82.0, 84.0,
+                                      86.0, 87.0, 88.0, 89.0, 89.5, 89.9, 90.0},
                       .azimuth_step_deg = 15.0,
                       .between = false,
-                      .around_sun_deg = {0.0, 0.5, 1.0, 2.0, 4.0, 8.0}};
+                      .around_sun_deg = {0.0, 0.5, 1.0, 2.1, 4.1, 8.0}};
   return laid_out(layout, sun, horizon_zenith_deg);
 }
 
@@ -109,7 +108,7 @@ DomeDirections dome_check_directions(const Direction& sun, double horizon_zenith
   Layout layout{.zeniths_deg = {0.0},
                 .azimuth_step_deg = 15.0,
                 .between = true,
-                .around_sun_deg = {0.7, 1.5, 3.0, 5.0}};
+                .around_sun_deg = {0.7, 1.4, 2.9, 5.2}};
   for (double zenith = 2.0; zenith < 80.0; zenith += 4.0) layout.zeniths_deg.push_back(zenith);
   for (double zenith = 80.25; zenith < 89.0; zenith += 0.5) layout.zeniths_deg.push_back(zenith);
   for (const double zenith : {89.15, 89.4, 89.65, 89.85, 89.97}) layout.zeniths_deg.push_back(zenith);

@@ -112,11 +112,10 @@ std::vector<PerezMinimum> perez_minima(std::span<const SkySample> samples, doubl
   const PerezForm form(problem, options);
   fit_detail::LocalSearch search(problem, options);
   std::vector<PerezMinimum> minima;
-  for (fit_detail::Minimum& end : fit_detail::multistart(
-           [&search](const fit_detail::Start& start, double tolerance, int iterations) {
-             return search.run(start, tolerance, iterations);
-           },
-           form.starts(), options.max_iterations, within)) {
+  for (fit_detail::Minimum& end :
+       fit_detail::multistart([&search](const fit_detail::Start&start, double tolerance,
+                                        int iterations) { return search.run(start, tolerance, iterations); },
+                              form.starts(), options.max_iterations, within)) {
     if (end.termination == Termination::no_convergence) end = form.search_on(std::move(end));
     const std::array<double, 5> k = fit_detail::to_perez(form.all_parameters(end.at), problem.sun);
     // Adding 0 turns -0 into 0.

@@ -58,8 +58,8 @@ std::vector<double> solid_angle_weights(std::span<const double> zenith_rad) {
   return weights;
 }
 
-std::vector<double> sample_weights(std::span<const double> zenith_rad, std::span<const double> solid_angles_sr,
-                                   SampleWeights weights) {
+std::vector<double> sample_weights(std::span<const double> zenith_rad,
+                                   std::span<const double> solid_angles_sr, SampleWeights weights) {
   std::vector<double> found;
   if (weights == SampleWeights::uniform)
     found.assign(zenith_rad.size(), 1.0);

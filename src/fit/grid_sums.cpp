@@ -65,8 +65,7 @@ GridSums::GridSums(const FitProblem& problem, const std::vector<double>& rates,
   for (Index ring = 0; ring < rings; ++ring) {
     const double excess =
         problem.observations[problem.ring_begins[static_cast<std::size_t>(ring)]].secant_excess;
-    for (Index b = 0; b < nB; ++b)
-      U(ring, b) = gradation_basis(rates[static_cast<std::size_t>(b)], excess);
+    for (Index b = 0; b < nB; ++b) U(ring, b) = gradation_basis(rates[static_cast<std::size_t>(b)], excess);
   }
   const MatrixXd powers[3] = {MatrixXd::Ones(rings, nB), U, U.array().square().matrix()};
   for (int i = 0; i < 3; ++i) {

@@ -7,16 +7,20 @@
 
 namespace skylut::fit_detail {
 
+/// One number for every D of the search's grid; on the stack.
+constexpr int kMostWidths = 128;
+using OverWidths = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostWidths, 1>;
+
 /// The sums over the observations that the nodes (B, D) of one B of the search's grid need: with g = 1 + a U
 /// and the columns h g {1, W, K}, every inner product is a polynomial in a. h: model scale, t: target. Arrays
 /// run over D.
 struct RateSums {
   // Of h² U^i times 1, K, K², W, W², WK; i = 0, 1, 2.
   double one[3], K[3], KK[3];
-  Eigen::ArrayXd W[3], WW[3], WK[3];
+  OverWidths W[3], WW[3], WK[3];
   // Of h t U^i times 1, K, W; i = 0, 1.
   double t_one[2], t_K[2];
-  Eigen::ArrayXd t_W[2];
+  OverWidths t_W[2];
   double t_t;
 };
 

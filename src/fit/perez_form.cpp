@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "newton_search.hpp"
@@ -161,8 +162,10 @@ PerezForm::PerezForm(const FitProblem& problem, const FitOptions& options)
 
 Minimum PerezForm::search_on(Minimum from) const {
   const ceres::AutoDiffCostFunction<StraightResiduals, ceres::DYNAMIC, 3> residuals(
-      new StraightResiduals{{&problem_, least_offset(options_)}}, static_cast<int>(problem_.observations.size()));
-  const std::vector<ParameterBounds> bounds{{-std::log(options_.largest_gradation), {}},
+      new StraightResiduals{{&problem_, least_offset(options_)}},
+      static_cast<int>(problem_.observations.size()));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<ParameterBounds> bounds{{-std::log(options_.largest_gradation), kInfinity},
                                             {std::log(-options_.B_upper), std::log(-options_.B_lower)},
                                             {options_.D_lower, options_.D_upper}};
   from.at = {std::log1p(-from.at[0]), std::log(-from.at[1]), from.at[2]};

@@ -6,16 +6,16 @@
 #include <limits>
 
 #include "grid_sums.hpp"
+#include "skylut/core/check.hpp"
 #include "zenith_offset.hpp"
 
 namespace skylut::fit_detail {
 
 namespace {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr double kDecades = 0.13;   // between nodes in B, and in D
+constexpr double kDecades = 0.1;    // between nodes in B, and in D
 constexpr double kFlattest = 0.02;  // smallest |D|: e^{Dγ} is then as good as linear
 
 // Values of one sign, geometric.
@@ -36,13 +36,14 @@ std::vector<double> width_nodes(const FitOptions& options) {
     append_geometric(nodes, options.D_lower, std::min(-kFlattest, options.D_upper));
   if (options.D_upper > kFlattest)
     append_geometric(nodes, std::max(kFlattest, options.D_lower), options.D_upper);
+  SKYLUT_CHECK_LE(nodes.size(), static_cast<std::size_t>(kMostWidths));
   return nodes;
 }
 
 /// The nodes of one B: for every D the least cost over a, and where.
 struct Row {
-  ArrayXd cost;
-  ArrayXd log_level;  // ln(1-a)
+  OverWidths cost;
+  OverWidths log_level;  // ln(1-a)
 };
 
 class RowScan {
@@ -64,10 +65,10 @@ class RowScan {
     constexpr double kHighest = 7.0;
     const double step = (kHighest - lowest_) / (kNodes - 1);
     const Index count = k1_.size();
-    Row best{ArrayXd::Constant(count, std::numeric_limits<double>::infinity()), ArrayXd::Zero(count)};
-    for (int i = 0; i < kNodes; ++i) keep_better(best, ArrayXd::Constant(count, lowest_ + step * i));
+    Row best{OverWidths::Constant(count, std::numeric_limits<double>::infinity()), OverWidths::Zero(count)};
+    for (int i = 0; i < kNodes; ++i) keep_better(best, OverWidths::Constant(count, lowest_ + step * i));
     for (const double share : {0.5, 0.25, 0.125}) {
-      const ArrayXd middle = best.log_level;
+      const OverWidths middle = best.log_level;
       keep_better(best, (middle - share * step).max(lowest_));
       keep_better(best, middle + share * step);
     }
@@ -75,34 +76,36 @@ class RowScan {
   }
 
  private:
-  void keep_better(Row& best, const ArrayXd& log_level) const {
-    const ArrayXd cost = least_cost(1.0 - log_level.exp());
+  void keep_better(Row& best, const OverWidths& log_level) const {
+    const OverWidths cost = least_cost(1.0 - log_level.exp());
     const auto better = (cost < best.cost).eval();
     best.log_level = better.select(log_level, best.log_level);
     best.cost = better.select(cost, best.cost);
   }
 
   // Least squares in c and e for fixed a: ½ |h g (1 + c W + e K) - t|².
-  ArrayXd least_cost(const ArrayXd& a) const {
-    const auto squared = [&a](const auto& sum) -> ArrayXd { return sum[0] + a * (2.0 * sum[1] + a * sum[2]); };
-    const auto linear = [&a](const auto& sum) -> ArrayXd { return sum[0] + a * sum[1]; };
-    const ArrayXd WW = squared(sums_.WW);
-    const ArrayXd KK = squared(sums_.KK);
-    const ArrayXd WK = squared(sums_.WK);
-    const ArrayXd right_W = linear(sums_.t_W) - squared(sums_.W);
-    const ArrayXd right_K = linear(sums_.t_K) - squared(sums_.K);
-    const ArrayXd offset = squared(sums_.one) - 2.0 * linear(sums_.t_one) + sums_.t_t;
-    const ArrayXd determinant = WW * KK - WK * WK;
+  OverWidths least_cost(const OverWidths& a) const {
+    const auto squared = [&a](const auto& sum) -> OverWidths {
+      return sum[0] + a * (2.0 * sum[1] + a * sum[2]);
+    };
+    const auto linear = [&a](const auto& sum) -> OverWidths { return sum[0] + a * sum[1]; };
+    const OverWidths WW = squared(sums_.WW);
+    const OverWidths KK = squared(sums_.KK);
+    const OverWidths WK = squared(sums_.WK);
+    const OverWidths right_W = linear(sums_.t_W) - squared(sums_.W);
+    const OverWidths right_K = linear(sums_.t_K) - squared(sums_.K);
+    const OverWidths offset = squared(sums_.one) - 2.0 * linear(sums_.t_one) + sums_.t_t;
+    const OverWidths determinant = WW * KK - WK * WK;
     // Nearly dependent columns (1e-10 of their product): e alone; the local search sorts it out.
     const auto independent = (determinant > 1e-10 * WW * KK).eval();
-    const ArrayXd inverse = independent.select(1.0 / determinant, 0.0);
-    const ArrayXd c = (KK * right_W - WK * right_K) * inverse;
-    const ArrayXd e = independent.select((WW * right_K - WK * right_W) * inverse,
-                                         (KK > 0.0).select(right_K / KK, 0.0));
-    ArrayXd cost = offset - c * right_W - e * right_K;
+    const OverWidths inverse = independent.select(1.0 / determinant, 0.0);
+    const OverWidths c = (KK * right_W - WK * right_K) * inverse;
+    const OverWidths e =
+        independent.select((WW * right_K - WK * right_W) * inverse, (KK > 0.0).select(right_K / KK, 0.0));
+    OverWidths cost = offset - c * right_W - e * right_K;
     // What it costs to bring p up to its bound.
-    const ArrayXd lacking = (least_offset_ - 1.0 + c * k1_ + e * k2_).max(0.0);
-    const ArrayXd stiffness = (k1_.square() * KK - 2.0 * k2_ * k1_ * WK + k2_ * k2_ * WW) * inverse;
+    const OverWidths lacking = (least_offset_ - 1.0 + c * k1_ + e * k2_).max(0.0);
+    const OverWidths stiffness = (k1_.square() * KK - 2.0 * k2_ * k1_ * WK + k2_ * k2_ * WW) * inverse;
     if (least_offset_ > 0.0)
       cost += (lacking > 0.0 && stiffness > 0.0).select(lacking.square() / stiffness, 0.0);
     return 0.5 * cost;
@@ -110,7 +113,7 @@ class RowScan {
 
   const RateSums& sums_;
   double least_offset_;
-  ArrayXd k1_;
+  OverWidths k1_;
   double k2_;
   double lowest_;
 };

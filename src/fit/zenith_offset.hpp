@@ -29,8 +29,7 @@ struct ZenithOffset {
     const double square = k1 * k1 + k2 * k2;
     const double foot = (1.0 - p) / square;
     const double foot_D = -2.0 * foot * k1 * k1_D / square;
-    return {k1 * foot,          k2 * foot, -k2, k1, k1_D * foot + k1 * foot_D,
-            k2 * foot_D, 0.0,       k1_D};
+    return {k1 * foot, k2 * foot, -k2, k1, k1_D * foot + k1 * foot_D, k2 * foot_D, 0.0, k1_D};
   }
 };
 

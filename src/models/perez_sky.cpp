@@ -18,9 +18,9 @@ void PerezSky::colour(std::span<const Direction> views, std::span<Yxy> colours) 
       throw InputError(
           "view at the horizon: Perez coefficient B = {}: must be below 0, or the sky is infinite there",
           largest_B);
-    colours[i] = perez_sky(coefficients_.Y, coefficients_.x, coefficients_.y, zenith_,
-                           zenith_deg * kRadiansPerDegree, angle_between(views[i], sun_),
-                           sun_.zenith_deg * kRadiansPerDegree);
+    colours[i] =
+        perez_sky(coefficients_.Y, coefficients_.x, coefficients_.y, zenith_, zenith_deg * kRadiansPerDegree,
+                  angle_between(views[i], sun_), sun_.zenith_deg * kRadiansPerDegree);
   }
 }
 

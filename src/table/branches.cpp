@@ -63,7 +63,7 @@ class Halves {
   const BranchGrid& grid_;
   std::vector<FormulaDome> suns_;
   std::vector<FormulaDome> between_suns_;
-  std::vector<std::vector<std::vector<double>>> logarithms_;         // [node][branch][direction]
+  std::vector<std::vector<std::vector<double>>> logarithms_;    // [node][branch][direction]
   std::array<std::vector<std::vector<double>>, kAxes> tables_;  // [axis][node][branch × next branch]
 };
 
@@ -72,6 +72,16 @@ class Chooser {
   explicit Chooser(const BranchGrid& grid) : grid_(grid), halves_(grid), chosen_(grid.branches.size(), 0) {}
 
   ChosenBranches choose() {
+    const std::vector<std::size_t> from_least = settled();
+    const double cost_from_least = cost();
+    grow();
+    settled();
+    if (!(cost() < cost_from_least * (1.0 - 1e-9))) chosen_ = from_least;
+    return {chosen_, beside_impossible()};
+  }
+
+ private:
+  const std::vector<std::size_t>& settled() {
     constexpr int kMostSweeps = 20;
     bool moved = true;
     for (int sweep = 0; moved && sweep < kMostSweeps; ++sweep) {
@@ -80,12 +90,61 @@ class Chooser {
         for (std::size_t node = 0; node < chosen_.size(); ++node)
           if (halves_.position(node, axis) == 0) moved = settle_line(node, axis) || moved;
     }
-    return {chosen_, beside_impossible()};
+    return chosen_;
   }
 
- private:
-  // What a branch loses by itself. Of equal halves the cheaper branch; one that is not as good only for halves
-  // that are impossible otherwise.
+  // Branches that hang together from the node on that has the least choice: always the neighbour of a settled
+  // node that has the least, by its halves with the settled. Lines alone do not turn a whole grid that stands
+  // in another valley than a single node.
+  void grow() {
+    std::vector<bool> is_settled(chosen_.size(), false);
+    std::vector<bool> is_next(chosen_.size(), false);
+    const auto choice = [&](std::size_t node) { return grid_.branches[node].size(); };
+    std::size_t node = 0;
+    for (std::size_t other = 1; other < chosen_.size(); ++other)
+      if (choice(other) < choice(node)) node = other;
+    for (std::size_t count = 0; count < chosen_.size(); ++count) {
+      std::vector<double> sums;
+      for (const Branch& branch : grid_.branches[node]) sums.push_back(loss(branch));
+      for_neighbours(node, [&](std::size_t other, std::size_t axis) {
+        is_next[other] = true;
+        for (std::size_t branch = 0; is_settled[other] && branch < sums.size(); ++branch)
+          sums[branch] += other < node ? halves_.at(other, chosen_[other], axis, branch)
+                                       : halves_.at(node, branch, axis, chosen_[other]);
+      });
+      chosen_[node] = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());
+      is_settled[node] = true;
+      bool found = false;
+      for (std::size_t other = 0; other < chosen_.size(); ++other)
+        if (is_next[other] && !is_settled[other] && (!found || choice(other) < choice(node))) {
+          node = other;
+          found = true;
+        }
+    }
+  }
+
+  template <class Use>
+  void for_neighbours(std::size_t node, const Use& use) const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (halves_.position(node, axis) > 0) use(node - halves_.stride(axis), axis);
+      if (!halves_.is_last(node, axis)) use(node + halves_.stride(axis), axis);
+    }
+  }
+
+  // All halves and losses.
+  double cost() const {
+    double sum = 0.0;
+    for (std::size_t node = 0; node < chosen_.size(); ++node) {
+      sum += loss(grid_.branches[node][chosen_[node]]);
+      for (std::size_t axis = 0; axis < kAxes; ++axis)
+        if (!halves_.is_last(node, axis))
+          sum += halves_.at(node, chosen_[node], axis, chosen_[node + halves_.stride(axis)]);
+    }
+    return sum;
+  }
+
+  // What a branch loses by itself. Of equal halves the cheaper branch; one that is not as good only for
+  // halves that are impossible otherwise.
   static double loss(const Branch& branch) {
     return branch.as_good ? 1e-3 * branch.excess : 5.0 + branch.excess;
   }

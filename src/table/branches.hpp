@@ -6,8 +6,8 @@
 
 #include "skylut/models/perez.hpp"
 
-/// Rows of a table are halved, blended and interpolated: of minima that are equally good the one is taken that
-/// its neighbours continue. [fit.md F8]
+/// Rows of a table are halved, blended and interpolated: of minima that are equally good the one is taken
+/// that its neighbours continue. [fit.md F8]
 namespace skylut::table_detail {
 
 /// One formula that a node may take.
@@ -22,12 +22,13 @@ struct BranchGrid {
   std::array<std::size_t, 3> sizes{};
   std::vector<double> sun_zeniths_rad;        ///< of the last axis
   std::vector<std::vector<Branch>> branches;  ///< [node], least cost first
-  /// How far ln F of a half may lie from between its rows anywhere, if it is to be the sky of some conditions.
+  /// How far ln F of a half may lie from between its rows anywhere, if it is to be the sky of some
+  /// conditions.
   double limit = 1.0;
 };
 
 struct ChosenBranches {
-  std::vector<std::size_t> branch;       ///< [node]
+  std::vector<std::size_t> branch;      ///< [node]
   std::vector<bool> beside_impossible;  ///< [node] a half with a neighbour is the sky of no conditions
 };
 

@@ -33,8 +33,9 @@ struct Channel {
   double Yxy::*colour;
   ResidualKind residual;
 };
-constexpr std::array<Channel, 3> kChannels{
-    {{&Yxy::Y, ResidualKind::relative}, {&Yxy::x, ResidualKind::absolute}, {&Yxy::y, ResidualKind::absolute}}};
+constexpr std::array<Channel, 3> kChannels{{{&Yxy::Y, ResidualKind::relative},
+                                            {&Yxy::x, ResidualKind::absolute},
+                                            {&Yxy::y, ResidualKind::absolute}}};
 
 /// Row's conditions, for messages.
 std::string row_name(std::size_t row, const TableSky& sky) {
@@ -72,10 +73,15 @@ struct FittedSky {
         sun_zenith_rad(from.sun.zenith_deg * kRadiansPerDegree),
         zenith(from.fitted.colour[zenith_of(from)]) {
     const std::vector<double> weights = weights_of(from, kind);
+    for (std::size_t i = 0; i < from.fitted.views.size(); ++i)
+      if (!(from.fitted.colour[i].Y > 0.0))
+        throw InputError("sky direction {}: Y = {}: must be a number greater than 0", i,
+                         from.fitted.colour[i].Y);
     for (std::size_t i = 0; i < from.fitted.views.size(); ++i) {
       const SkyDirection at = table_detail::formula_view(from, from.fitted.views[i]);
       for (std::size_t c = 0; c < kChannels.size(); ++c)
-        samples[c].push_back({at.zenith_rad, at.gamma_rad, from.fitted.colour[i].*kChannels[c].colour, weights[i]});
+        samples[c].push_back(
+            {at.zenith_rad, at.gamma_rad, from.fitted.colour[i].*kChannels[c].colour, weights[i]});
     }
   }
 
@@ -101,12 +107,13 @@ struct FittedSky {
     const auto add_best_of = [&](FitOptions slice) {
       constexpr int kStarts = 4;
       slice.starts = kStarts;
-      PerezMinimum best = perez_minima(samples[channel], sun_zenith_rad, zenith.*kChannels[channel].colour,
-                                       slice, 0.0)
-                              .front();
+      PerezMinimum best =
+          perez_minima(samples[channel], sun_zenith_rad, zenith.*kChannels[channel].colour, slice, 0.0)
+              .front();
       if (best.termination == Termination::converged) known.push_back(std::move(best));
     };
-    const auto for_slices = [](std::initializer_list<double> inner, double lower, double upper, const auto& use) {
+    const auto for_slices = [](std::initializer_list<double> inner, double lower, double upper,
+                               const auto& use) {
       double from = lower;
       for (const double edge : inner) {
         if (edge <= from || edge >= upper) continue;
@@ -116,15 +123,16 @@ struct FittedSky {
       use(from, upper);
     };
     for_slices({-20.0, -10.0, -6.0, -4.0, -3.0, -2.0, -1.5, -1.0, -0.75, -0.5, -0.3, 0.3,
-                0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0}, whole.D_lower, whole.D_upper,
-               [&](double from, double to) {
+                0.5,   0.75,  1.0,  1.5,  2.0,  2.5,  3.0,  3.5,  4.0,   5.0,  6.0},
+               whole.D_lower, whole.D_upper, [&](double from, double to) {
                  FitOptions slice = whole;
                  slice.D_lower = from;
                  slice.D_upper = to;
                  add_best_of(slice);
                });
-    for_slices({-5.0, -3.0, -2.0, -1.4, -1.0, -0.7, -0.5, -0.35, -0.25, -0.17, -0.12, -0.08, -0.06, -0.04, -0.03, -0.02}, whole.B_lower, whole.B_upper,
-               [&](double from, double to) {
+    for_slices({-5.0, -3.0, -2.0, -1.4, -1.0, -0.7, -0.5, -0.35, -0.25, -0.17, -0.12, -0.08, -0.06, -0.04,
+                -0.03, -0.02},
+               whole.B_lower, whole.B_upper, [&](double from, double to) {
                  FitOptions slice = whole;
                  slice.B_lower = from;
                  slice.B_upper = to;
@@ -260,8 +268,8 @@ TableEntry table_entry(const TableSky& sky, const SkyFit& fit) {
 
 std::string described(const GridPlaces& places) {
   if (places.sky.empty()) return "none: every row is fitted alone";
-  return fmt::format("all {} altitudes x {} turbidities x {} sun zenith angles together", places.grid.sizes[0],
-                     places.grid.sizes[1], places.grid.sizes[2]);
+  return fmt::format("all {} altitudes x {} turbidities x {} sun zenith angles together",
+                     places.grid.sizes[0], places.grid.sizes[1], places.grid.sizes[2]);
 }
 
 }  // namespace
@@ -304,7 +312,7 @@ SkyTable fit_table(const Context& context, std::span<const TableSky> skies, cons
 
   const GridPlaces places = options.branch_tolerance > 0.0 ? grid_of(fitted) : GridPlaces{};
   std::array<std::vector<std::size_t>, 3> branches;
-  for (std::size_t c = 0; c < kChannels.size(); ++c) 
+  for (std::size_t c = 0; c < kChannels.size(); ++c)
     branches[c] = branches_of(context, places, fitted, c, options);
 
   std::vector<SkyFit> fits(fitted.size());

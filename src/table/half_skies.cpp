@@ -20,7 +20,8 @@ FormulaDome::FormulaDome(double sun_zenith_rad) : sun_zenith_rad_(sun_zenith_rad
   const Direction sun{sun_zenith_rad * kDegreesPerRadian, 0.0};
   rings_.push_back({1.0, {sun_zenith_rad}});
   for (const double zenith_deg : kZeniths_deg) {
-    Ring& ring = rings_.emplace_back(Ring{zenith_deg == 90.0 ? 0.0 : std::cos(zenith_deg * kRadiansPerDegree), {}});
+    Ring& ring =
+        rings_.emplace_back(Ring{zenith_deg == 90.0 ? 0.0 : std::cos(zenith_deg * kRadiansPerDegree), {}});
     for (const double azimuth_deg : kAzimuths_deg)
       ring.gamma_rad.push_back(angle_between({zenith_deg, azimuth_deg}, sun));
   }

@@ -33,9 +33,9 @@ double add_errors_of(FormulaNotes& notes, const TableEntry& row, const TableSky&
     }
     if (std::abs(error) <= std::abs(notes.worst)) continue;
     notes.worst = error;
-    notes.worst_direction = {view.zenith_deg, view.zenith_deg == 0.0 ? 0.0
-                                                                     : wrapped_azimuth_deg(row.sun.azimuth_deg +
-                                                                                           view.relative_azimuth_deg)};
+    notes.worst_direction = {
+        view.zenith_deg,
+        view.zenith_deg == 0.0 ? 0.0 : wrapped_azimuth_deg(row.sun.azimuth_deg + view.relative_azimuth_deg)};
   }
   notes.rmse_horizon = std::sqrt(horizon_squares / horizon_weights);
   return std::sqrt(squares / weights);
@@ -52,8 +52,7 @@ SkyDirection formula_view(const TableSky& sky, const RelativeView& view) {
 
 void add_errors(TableEntry& entry, const TableSky& sky) {
   const double Y = entry.zenith.Y * kCandelaPerKilocandela;
-  entry.rmse_Y_rel =
-      add_errors_of(entry.notes_Y, entry, sky, entry.Y, Y, &Yxy::Y, ResidualKind::relative);
+  entry.rmse_Y_rel = add_errors_of(entry.notes_Y, entry, sky, entry.Y, Y, &Yxy::Y, ResidualKind::relative);
   entry.rmse_x =
       add_errors_of(entry.notes_x, entry, sky, entry.x, entry.zenith.x, &Yxy::x, ResidualKind::absolute);
   entry.rmse_y =

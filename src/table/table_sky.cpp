@@ -27,7 +27,8 @@ struct SunGroup {
   std::vector<std::size_t> suns;     // of the scene
 };
 
-std::vector<SunGroup> sun_groups(const std::vector<Direction>& suns, const std::vector<Direction>& directions) {
+std::vector<SunGroup> sun_groups(const std::vector<Direction>& suns,
+                                 const std::vector<Direction>& directions) {
   std::vector<SunGroup> groups;
   for (std::size_t sun = 0; sun < suns.size(); ++sun) {
     std::vector<RelativeView> fitted;
@@ -36,8 +37,7 @@ std::vector<SunGroup> sun_groups(const std::vector<Direction>& suns, const std::
     auto group = std::find_if(groups.begin(), groups.end(), [&](const SunGroup& known) {
       return known.zenith_deg == suns[sun].zenith_deg && known.fitted == fitted;
     });
-    if (group == groups.end())
-      group = groups.insert(group, {suns[sun].zenith_deg, std::move(fitted), {}});
+    if (group == groups.end()) group = groups.insert(group, {suns[sun].zenith_deg, std::move(fitted), {}});
     group->suns.push_back(sun);
   }
   return groups;
@@ -75,7 +75,8 @@ class Observer {
 
   SampledSky sampled(const DomeDirections& dome) const {
     SampledSky sky;
-    for (const Direction& direction : dome.directions) sky.views.push_back(relative_view(direction, sky_.sun()));
+    for (const Direction& direction : dome.directions)
+      sky.views.push_back(relative_view(direction, sky_.sun()));
     sky.colour = colours(sky.views);
     sky.solid_angles_sr = dome.solid_angles_sr;
     return sky;
@@ -141,8 +142,8 @@ void check(const SkyScene& scene) {
 
 }  // namespace
 
-TableSkies simulate_table_skies(const Context& context, const SkyScene& scene,
-                                const TransferOptions& options, const TableSampling& sampling) {
+TableSkies simulate_table_skies(const Context& context, const SkyScene& scene, const TransferOptions& options,
+                                const TableSampling& sampling) {
   check(scene);
   const std::vector<SunGroup> groups = sun_groups(scene.suns, sampling.directions);
   const std::size_t suns = scene.suns.size();

@@ -43,10 +43,10 @@ std::string_view to_string(Termination termination);
 /// floats. In any case 1 + A e^B > 0: the gradation has one sign.
 struct FitOptions {
   ResidualKind residual = ResidualKind::relative;
-  double B_lower = -80.0;    ///< the gradation is then gone 15° from the zenith; e^{-B} still fits a float
-  double B_upper = -1e-5;    ///< B < 0: finite at the horizon
-  double D_lower = -80.0;    ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
-  double D_upper = 25.0;     ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
+  double B_lower = -80.0;  ///< the gradation is then gone 15° from the zenith; e^{-B} still fits a float
+  double B_upper = -1e-5;  ///< B < 0: finite at the horizon
+  double D_lower = -80.0;  ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
+  double D_upper = 25.0;   ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
   double largest_gradation = std::numeric_limits<double>::infinity();   ///< of 1 + A e^B, > 1
   double largest_scattering = std::numeric_limits<double>::infinity();  ///< of 1 + C e^{Dθ_s} + E cos²θ_s,
                                                                         ///< then > 0; > 1; infinite: any sign
@@ -102,8 +102,8 @@ struct PerezMinimum {
   int iterations = 0;
 };
 
-/// The different minima that fit_perez finds whose cost is up to a share `within` above the least, which comes
-/// first. Arguments and errors as fit_perez.
+/// The different minima that fit_perez finds whose cost is up to a share `within` above the least, which
+/// comes first. Arguments and errors as fit_perez.
 std::vector<PerezMinimum> perez_minima(std::span<const SkySample> samples, double sun_zenith_rad,
                                        double zenith_value, const FitOptions& options, double within);
 

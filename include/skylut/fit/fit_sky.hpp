@@ -38,8 +38,8 @@ struct SkyDirection {
 std::vector<double> solid_angle_weights(std::span<const double> zenith_rad);
 
 /// The weights of some directions by name. @param solid_angles_sr  of each; empty: solid_angle_weights
-std::vector<double> sample_weights(std::span<const double> zenith_rad, std::span<const double> solid_angles_sr,
-                                   SampleWeights weights);
+std::vector<double> sample_weights(std::span<const double> zenith_rad,
+                                   std::span<const double> solid_angles_sr, SampleWeights weights);
 
 /// Fits Y, x and y of one sky.
 /// @param views  directions within 0-90° zenith angle, one of them the zenith (below 1e-6°)

@@ -29,8 +29,8 @@ class PerezSky final : public Sky {
   double horizon_zenith_deg() const { return horizon_zenith_deg_; }
 
   using Sky::colour;
-  /// @throws InputError  for a view not within 0 to the horizon's zenith angle, or at the horizon where a B is not below 0 (infinite
-  /// there)
+  /// @throws InputError  for a view not within 0 to the horizon's zenith angle, or at the horizon where a B
+  /// is not below 0 (infinite there)
   void colour(std::span<const Direction> views, std::span<Yxy> colours) const override;
 
  private:

@@ -16,7 +16,7 @@ struct Context;
 /// A sky's colours where it was looked at; azimuths count from the sun's, on either side, [0, 180].
 struct SampledSky {
   std::vector<RelativeView> views;
-  std::vector<Yxy> colour;               ///< [view], Y in cd/m²
+  std::vector<Yxy> colour;              ///< [view], Y in cd/m²
   std::vector<double> solid_angles_sr;  ///< [view], the part that each stands for; none: they are alike
 };
 
@@ -36,7 +36,7 @@ struct TableSky {
 
 /// How the skies of a table are looked at.
 struct TableSampling {
-  std::vector<Direction> directions;      ///< that the fits get, the same for every sky; none: dome_directions
+  std::vector<Direction> directions;  ///< that the fits get, the same for every sky; none: dome_directions
   std::vector<Direction> map_directions;  ///< of the maps that are wanted; none: no maps
   bool to_horizon = false;                ///< the formula's horizon is the geometric one
 };
@@ -52,7 +52,7 @@ struct TableSkies {
 /// number of threads changes nothing.
 /// @param scene  its directions are not used
 /// @throws       as simulate_sky
-TableSkies simulate_table_skies(const Context& context, const SkyScene& scene,
-                                const TransferOptions& options, const TableSampling& sampling);
+TableSkies simulate_table_skies(const Context& context, const SkyScene& scene, const TransferOptions& options,
+                                const TableSampling& sampling);
 
 }  // namespace skylut
