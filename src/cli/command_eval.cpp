@@ -226,7 +226,7 @@ void write_exr(const Context& context, const EvalOptions& options, const Evaluat
   if (std::find(channels.begin(), channels.end(), SkyChannels::spectral) != channels.end())
     require_spectra("--channels spectral", options, asked);
   options.picture.check(options.out);
-  const ModelLight light(asked.sky, asked.source.model().info().view_zenith_deg, asked.conditions.sun,
+  const ModelLight light(asked.sky, asked.source.view_zenith_deg(asked.conditions), asked.conditions.sun,
                          asked.conditions.altitude_km);
   const PictureLabels labels{asked.conditions.altitude_km, asked.asked, asked.provenance};
   const std::string report =

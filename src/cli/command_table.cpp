@@ -6,9 +6,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "advice.hpp"
 #include "commands.hpp"
+#include "directions_option.hpp"
 #include "memory.hpp"
 #include "options/file_kinds.hpp"
 #include "options/light_kinds.hpp"
@@ -16,6 +18,7 @@
 #include "output.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
+#include "skylut/core/suggestion.hpp"
 #include "skylut/core/writable.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/report/table_summary.hpp"
@@ -31,6 +34,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kDome = "dome";
+constexpr const char* kReport2005 = "utm271";
+
 // The defaults are the UTM report's: 5 altitudes, 3 turbidities, 5 suns.
 struct TableOptions {
   SceneOptions scene;
@@ -39,7 +45,9 @@ struct TableOptions {
   std::vector<double> altitudes_km{0.0, 6.0, 12.0, 20.0, 30.0};
   std::vector<double> turbidities{0.0, 0.5, 1.0};
   std::vector<Direction> suns{{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}};
-  SampleWeights weights = SampleWeights::uniform;
+  std::string directions = kDome;
+  std::optional<SampleWeights> weights;
+  bool to_horizon = false;
   bool save_maps = false;
 };
 
@@ -68,15 +76,48 @@ SkyScene scene_of(const Context& context, const TableOptions& options) {
   for (const double value : options.turbidities)
     scene.turbidities.push_back({options.scene.air().turbidity_kind(), value});
   scene.suns = options.suns;
-  scene.directions = directions_utm271();
-  scene.directions_name = "utm271";
+  scene.directions_name = options.directions;
   return scene;
 }
 
-void advise_and_check(const Context& context, const SkyScene& scene) {
-  require_memory({static_cast<double>(scene.directions.size()), static_cast<double>(scene.wavelengths.size()),
-                  static_cast<double>(scene.turbidities.size()),
-                  static_cast<double>(scene.altitudes_km.size()), static_cast<double>(scene.suns.size())});
+TableSampling sampling_of(const TableOptions& options) {
+  TableSampling sampling;
+  std::error_code ignored;
+  const std::vector<std::string> names{kDome, kReport2005, "preetham343"};
+  if (std::find(names.begin(), names.end(), options.directions) == names.end() &&
+      !fs::exists(options.directions, ignored))
+    throw InputError("--directions '{}': must be {} or a CSV file with columns zenith_deg,azimuth_deg{}",
+                     options.directions, fmt::join(names, ", "), suggested(options.directions, names));
+  if (options.directions != kDome) sampling.directions = directions_of(options.directions);
+  for (const Direction& direction : sampling.directions)
+    if (direction.zenith_deg > 90.0)
+      throw InputError("--directions '{}': zenith_deg {}: must be at most 90 for a fit", options.directions,
+                       direction.zenith_deg);
+  sampling.to_horizon = options.to_horizon;
+  if (options.to_horizon && !sampling.directions.empty())
+    throw InputError("--to-horizon: needs --directions {}, as other sets end at 90 deg", kDome);
+  if (options.save_maps)
+    sampling.map_directions = sampling.directions.empty() ? directions_utm271() : sampling.directions;
+  return sampling;
+}
+
+TableFitOptions fit_options_of(const TableOptions& options) {
+  TableFitOptions fit =
+      options.directions == kReport2005 ? TableFitOptions::utm2005() : TableFitOptions::half_floats();
+  if (options.directions != kDome) fit.weights = SampleWeights::uniform;
+  if (options.weights) fit.weights = *options.weights;
+  return fit;
+}
+
+constexpr double kDirectionsOfASky = 1500;  // at most, those of the fit and of its check
+
+void advise_and_check(const Context& context, const SkyScene& scene, const TableSampling& sampling) {
+  const RequestSize size{kDirectionsOfASky, static_cast<double>(scene.wavelengths.size()),
+                         static_cast<double>(scene.turbidities.size()),
+                         static_cast<double>(scene.altitudes_km.size()),
+                         static_cast<double>(scene.suns.size())};
+  const auto of_maps = static_cast<double>(sampling.map_directions.size());
+  require_memory(size, [=](const RequestSize& part) { return needed_bytes_of_table(part, of_maps); });
   advise_on_turbidity(scene.turbidities, *scene.atmosphere);
   advise_on_wavelengths(context, scene.wavelengths);
 }
@@ -129,11 +170,11 @@ void print_between_nodes(const char* which_skies, const nlohmann::ordered_json& 
 
 // Of a table that is meant to be interpolated: what it errs between its rows.
 void measure_between_nodes(const Context& context, const TableOptions& options, const SkyScene& scene,
-                           const SkyFitOptions& fit, SkyTable& table) {
+                           const TableSampling& sampling, SkyTable& table) {
   if (!options.grid || !named_grid(*options.grid).for_between) return;
   const TableModel model(Table(table.entries, scene.turbidities.front().kind));
-  const std::vector<HeldOutSky> skies =
-      held_out_skies(context, scene, options.scene.transfer(), fit, model.info());
+  const std::vector<HeldOutSky> skies = held_out_skies(context, scene, options.scene.transfer(), sampling,
+                                                       fit_options_of(options), model.info());
   const nlohmann::ordered_json json = between_nodes_json(model, skies);
   table.between_nodes = json.dump();
   if (json.contains("sun_up")) print_between_nodes("sun up", json["sun_up"]);
@@ -144,27 +185,30 @@ void measure_between_nodes(const Context& context, const TableOptions& options, 
 void run(const TableOptions& options, const std::string& command_line) {
   require_writable_outputs(options);
   const Context context = options.scene.context();
-  const SkyScene scene = scene_of(context, options);
-  advise_and_check(context, scene);
+  const TableSampling sampling = sampling_of(options);
+  SkyScene scene = scene_of(context, options);
+  scene.directions = sampling.directions;
+  const TableFitOptions fit_options = fit_options_of(options);
+  advise_and_check(context, scene, sampling);
 
-  const std::vector<SkyMap> maps = simulate_sky(context, scene, options.scene.transfer());
-  SkyFitOptions fit_options;
-  fit_options.weights = options.weights;
-  SkyTable table = fit_table(context, maps, fit_options);
-  measure_between_nodes(context, options, scene, fit_options, table);
+  const TableSkies skies = simulate_table_skies(context, scene, options.scene.transfer(), sampling);
+  SkyTable table = fit_table(context, skies.skies, fit_options);
+  measure_between_nodes(context, options, scene, sampling, table);
 
   create_folder(options.out);
   Provenance provenance = options.scene.provenance(context, scene, command_line);
-  provenance.describe("weights", weights_kind().write(options.weights));
-  provenance.set_instruction_set(maps.front().instruction_set);
-  if (options.save_maps) write_maps(options.out / "maps", maps, provenance);
-  write_table(options.out, table, scene.directions, provenance);
+  provenance.describe("weights", weights_kind().write(fit_options.weights));
+  if (options.directions == kDome) provenance.describe("directions", nlohmann::ordered_json{{"name", kDome}});
+  provenance.describe("to_horizon", nlohmann::ordered_json(options.to_horizon));
+  provenance.set_instruction_set(skies.instruction_set);
+  if (options.save_maps) write_maps(options.out / "maps", skies.maps, provenance);
+  write_table(options.out, table, provenance);
 
   for (const Turbidity& turbidity : scene.turbidities)
     fmt::print("{}\n", turbidity_text(turbidity, *scene.atmosphere));
   fmt::print("\n{}", table_summary(table, std::string(turbidity_kind_name(scene.turbidities.front().kind))));
   fmt::print("wrote {} and table.json{}\n", (options.out / "table.csv").string(),
-             options.save_maps ? fmt::format(", {} maps in maps", maps.size()) : "");
+             options.save_maps ? fmt::format(", {} maps in maps", skies.maps.size()) : "");
   require_converged(table);
 }
 
@@ -193,9 +237,19 @@ Command table_command() {
           "of the kind of --turbidity-kind");
   set.add("--suns", options->suns, suns(),
           "zenith angle (0 to 96) and azimuth (clockwise from north) in degrees");
-  set.add("--weights", options->weights, weights_kind(),
-          "of the directions in the fits: uniform or solid-angle");
-  set.add_flag("--save-maps", options->save_maps, "also write each row's sky, DIR/maps/entry_001.csv ...");
+  set.add(
+      "--directions", options->directions, name_or_file(),
+      "that the fits see: dome (the whole dome, each sky's own), utm271 (as the UTM report 2005 has it, each "
+      "row alone), preetham343 or a CSV file");
+  set.add(
+      "--weights", options->weights, weights_kind(),
+      "of the directions in the fits: horizon (solid angle, the last degrees emphasised; default for dome), "
+      "solid-angle or uniform (default otherwise)");
+  set.add_flag("--to-horizon", options->to_horizon,
+               "fit from the zenith to the geometric horizon, which lies below 90 deg aloft");
+  set.add_flag("--save-maps", options->save_maps,
+               "also write each row's sky, DIR/maps/entry_001.csv ..., in the report's 271 directions, or in "
+               "those of --directions");
   options->scene.add_to(set);
   command.run = [options](const OptionSet& given) {
     settle_grid(*options, given);

@@ -5,10 +5,11 @@
 
 namespace skylut::cli {
 
-/// How much each direction counts in a fit: uniform or solid-angle.
+/// How much each direction counts in a fit: uniform, solid-angle or horizon.
 inline Kind<SampleWeights> weights_kind() {
-  return choice<SampleWeights>(
-      {{"uniform", SampleWeights::uniform}, {"solid-angle", SampleWeights::solid_angle}});
+  return choice<SampleWeights>({{"uniform", SampleWeights::uniform},
+                                {"solid-angle", SampleWeights::solid_angle},
+                                {"horizon", SampleWeights::horizon}});
 }
 
 }  // namespace skylut::cli

@@ -6,6 +6,7 @@
 
 #include "fit_problem.hpp"
 #include "identifiability.hpp"
+#include "local_search.hpp"
 #include "multistart.hpp"
 #include "perez_form.hpp"
 #include "skylut/core/errors.hpp"
@@ -49,6 +50,9 @@ void check(const FitOptions& options) {
                      options.B_upper);
   if (!(options.D_lower < options.D_upper && options.D_lower >= -500.0 && options.D_upper <= 25.0))
     throw InputError("bounds of D {} to {}: must rise within -500 to 25", options.D_lower, options.D_upper);
+  if (!(options.largest_gradation > 1.0 && options.largest_scattering > 1.0))
+    throw InputError("largest gradation {} and scattering {}: must be above 1", options.largest_gradation,
+                     options.largest_scattering);
   if (options.starts < 1) throw InputError("{} starts: must be at least 1", options.starts);
   if (options.max_iterations < 1)
     throw InputError("{} iterations: must be at least 1", options.max_iterations);
@@ -100,37 +104,56 @@ std::string_view to_string(Termination termination) {
   return "not_run";
 }
 
-FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,
-                    const FitOptions& options) {
+std::vector<PerezMinimum> perez_minima(std::span<const SkySample> samples, double sun_zenith_rad,
+                                       double zenith_value, const FitOptions& options, double within) {
   check(options);
   const FitProblem problem =
       fit_detail::make_fit_problem(samples, sun_zenith_rad, zenith_value, options.residual);
+  const PerezForm form(problem, options);
+  fit_detail::LocalSearch search(problem, options);
+  std::vector<PerezMinimum> minima;
+  for (fit_detail::Minimum& end :
+       fit_detail::multistart([&search](const fit_detail::Start&start, double tolerance,
+                                        int iterations) { return search.run(start, tolerance, iterations); },
+                              form.starts(), options.max_iterations, within)) {
+    if (end.termination == Termination::no_convergence) end = form.search_on(std::move(end));
+    const std::array<double, 5> k = fit_detail::to_perez(form.all_parameters(end.at), problem.sun);
+    // Adding 0 turns -0 into 0.
+    const PerezCoefficients coefficients{k[0] + 0.0, k[1], k[2] + 0.0, k[3], k[4] + 0.0};
+    const double cost = cost_of(problem, coefficients);
+    if (std::isfinite(cost))
+      minima.push_back({coefficients, cost, end.termination, end.message, end.iterations});
+  }
+  if (minima.empty()) throw WorkError("Perez fit: no start led to a formula with a finite cost");
+  std::stable_sort(minima.begin(), minima.end(),
+                   [](const auto& one, const auto& other) { return one.cost < other.cost; });
+  return minima;
+}
 
-  PerezForm form(problem, options);
-  fit_detail::Minimum best =
-      fit_detail::multistart(form.residuals(), form.bounds(), form.starts(), options.max_iterations);
-  if (!std::isfinite(best.cost)) throw WorkError("Perez fit: no start led to a finite cost");
-  if (best.termination == Termination::no_convergence) best = form.search_on(best);
-  const LinearParameters parameters = form.all_parameters(best.at);
-
+FitReport perez_report(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,
+                       const FitOptions& options, const PerezMinimum& minimum) {
+  const FitProblem problem =
+      fit_detail::make_fit_problem(samples, sun_zenith_rad, zenith_value, options.residual);
   FitReport report;
-  const std::array<double, 5> k = fit_detail::to_perez(parameters, problem.sun);
-  // Adding 0 turns -0 into 0.
-  report.coefficients = {k[0] + 0.0, k[1], k[2] + 0.0, k[3], k[4] + 0.0};
+  report.coefficients = minimum.coefficients;
   report.zenith_value = zenith_value;
-  report.cost = cost_of(problem, report.coefficients);
-  if (!std::isfinite(report.cost))
-    throw WorkError("Perez fit: the best formula is 0 at the zenith, and has no finite coefficients");
+  report.cost = minimum.cost;
   report.rmse = std::sqrt(2.0 * report.cost / static_cast<double>(problem.samples));
-  report.termination = best.termination;
-  report.message = best.message;
-  report.iterations = best.iterations;
-  report.at_bound[1] = k[1] == options.B_lower || k[1] == options.B_upper;
-  report.at_bound[3] = k[3] == options.D_lower || k[3] == options.D_upper;
-  judge(report, problem, form, parameters);
-
+  report.termination = minimum.termination;
+  report.message = minimum.message;
+  report.iterations = minimum.iterations;
+  const PerezCoefficients& k = minimum.coefficients;
+  report.at_bound[1] = k.B == options.B_lower || k.B == options.B_upper;
+  report.at_bound[3] = k.D == options.D_lower || k.D == options.D_upper;
+  judge(report, problem, PerezForm(problem, options), fit_detail::to_linear(k, problem.sun));
   find_worst(report, samples, sun_zenith_rad, options.residual);
   return report;
+}
+
+FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,
+                    const FitOptions& options) {
+  return perez_report(samples, sun_zenith_rad, zenith_value, options,
+                      perez_minima(samples, sun_zenith_rad, zenith_value, options, 0.0).front());
 }
 
 double perez_cost(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,

@@ -87,12 +87,16 @@ FitProblem make_fit_problem(std::span<const SkySample> samples, double sun_zenit
     const double scale = std::sqrt(weight * static_cast<double>(sorted.size()) / weight_sum) /
                          (residual == ResidualKind::relative ? sample.value : 1.0);
     const double cos_gamma = std::cos(sample.gamma_rad);
-    problem.observations.push_back({.secant_excess = secant_excess(sample.zenith_rad),
+    const double excess = secant_excess(sample.zenith_rad);
+    if (problem.observations.empty() || problem.observations.back().secant_excess != excess)
+      problem.ring_begins.push_back(problem.observations.size());
+    problem.observations.push_back({.secant_excess = excess,
                                     .gamma_rad = sample.gamma_rad,
                                     .cos2_excess = cos_gamma * cos_gamma - problem.sun.cos2_sun_zenith,
                                     .model_scale = scale * zenith_value,
                                     .target = scale * sample.value});
   }
+  problem.ring_begins.push_back(problem.observations.size());
   constexpr double kSameAngle_rad = 1e-6;
   for (std::size_t i = 1; i < problem.observations.size(); ++i) {
     const Observation& one = problem.observations[i - 1];

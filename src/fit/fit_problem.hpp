@@ -22,8 +22,9 @@ struct Observation {
 /// samples merged (the mirror halves of a sky), weights scaled to mean 1.
 struct FitProblem {
   SunFrame sun;
-  std::vector<Observation> observations;
-  std::size_t samples = 0;  ///< of weight > 0, before merging
+  std::vector<Observation> observations;  // by ascending zenith angle
+  std::vector<std::size_t> ring_begins;   // first observation of each zenith angle, and one past the last
+  std::size_t samples = 0;                ///< of weight > 0, before merging
   /// Whether some zenith angle is seen at more than one angle to the sun. If not (sun at the zenith, a scan
   /// along a meridian), γ is a function of θ, and nothing but the shape of the formula tells its two factors
   /// apart.

@@ -7,6 +7,7 @@
 
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/fit/dome_directions.hpp"
 
 namespace skylut {
 
@@ -57,14 +58,27 @@ std::vector<double> solid_angle_weights(std::span<const double> zenith_rad) {
   return weights;
 }
 
+std::vector<double> sample_weights(std::span<const double> zenith_rad,
+                                   std::span<const double> solid_angles_sr, SampleWeights weights) {
+  std::vector<double> found;
+  if (weights == SampleWeights::uniform)
+    found.assign(zenith_rad.size(), 1.0);
+  else if (solid_angles_sr.empty())
+    found = solid_angle_weights(zenith_rad);
+  else
+    found.assign(solid_angles_sr.begin(), solid_angles_sr.end());
+  if (weights == SampleWeights::horizon)
+    for (std::size_t i = 0; i < found.size(); ++i) found[i] *= horizon_emphasis(zenith_rad[i]);
+  return found;
+}
+
 SkyFit fit_sky(std::span<const SkyDirection> views, std::span<const Yxy> sky, double sun_zenith_rad,
                const SkyFitOptions& options) {
   check(views, sky);
   const std::size_t zenith = zenith_index(views);
   std::vector<double> zenith_rad;
   for (const SkyDirection& view : views) zenith_rad.push_back(view.zenith_rad);
-  std::vector<double> weights(views.size(), 1.0);
-  if (options.weights == SampleWeights::solid_angle) weights = solid_angle_weights(zenith_rad);
+  const std::vector<double> weights = sample_weights(zenith_rad, {}, options.weights);
 
   const auto fit_channel = [&](double Yxy::*channel, ResidualKind residual) {
     std::vector<SkySample> samples;

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <ceres/cost_function.h>
-
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "skylut/fit/fit_perez.hpp"
 
-/// The search for the least cost of any formula: the only place that runs Ceres's solver. A formula comes as
-/// a cost function of the parameters that are searched (perez_form.hpp is one).
+/// The search for the least cost of any formula, which comes as a local search in its parameters.
 namespace skylut::fit_detail {
 
 /// Values of the searched parameters from which a search begins.
@@ -30,14 +28,13 @@ struct Minimum {
   int iterations = 0;
 };
 
-/// A short Levenberg-Marquardt run from every start, a thorough one from the two best ends. [fit.md F5]
-/// @param residuals  of one block of parameters; returns false, never a number that is not finite, where it
-/// has
-///                   no value: Ceres would print a warning
-/// @param bounds     one per parameter; starts outside are moved to the bound
-/// @param max_iterations  per run
-/// @return the least; cost infinity if no start has a cost
-Minimum multistart(ceres::CostFunction& residuals, const std::vector<ParameterBounds>& bounds,
-                   const std::vector<Start>& starts, int max_iterations);
+/// Runs one local search: from where, to what tolerance, with how many iterations at most.
+using Search = std::function<Minimum(const Start&, double tolerance, int iterations)>;
+
+/// Short runs from every start, thorough ones from the best different ends. [fit.md F5]
+/// @param within  ends whose cost is up to this share above the best are followed too, two in any case
+/// @return different minima, the least first; empty if no start has a cost
+std::vector<Minimum> multistart(const Search& search, const std::vector<Start>& starts, int max_iterations,
+                                double within);
 
 }  // namespace skylut::fit_detail

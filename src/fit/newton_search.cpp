@@ -40,13 +40,13 @@ class NewtonSearch {
     return local;
   }
 
-  // Central differences of the gradient; the step balances rounding against the third derivative.
+  // Central differences of the gradient; the step balances rounding against the third derivative, for
+  // parameters that are logarithms or of the order of 1 and more.
   Eigen::MatrixXd hessian(const VectorXd& x) {
     constexpr double kStep = 6e-6;  // cube root of the rounding of a double
-    constexpr double kSmallest = 1e-9;
     Eigen::MatrixXd hessian(count_, count_);
     for (Index i = 0; i < count_; ++i) {
-      const double step = std::max(kStep * std::abs(x(i)), kSmallest);
+      const double step = kStep * std::max(std::abs(x(i)), 1.0);
       VectorXd up = x;
       VectorXd down = x;
       up(i) += step;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "newton_search.hpp"
@@ -49,6 +50,7 @@ struct Residuals {
 // and D trade. [fit.md F5]
 struct ProjectedResiduals {
   const FitProblem* problem;
+  double least_offset;  // of p; 0: any
 
   // Parameters a, B, D. False where the formula overflows.
   template <class T>
@@ -102,17 +104,47 @@ struct ProjectedResiduals {
     c = has_aureole ? T(-WR / WW) : T(0.0);
     e = first_e - c * share;
     for (std::size_t i = 0; i < n; ++i) residual[i] += c * aureole[i];
+    hold_offset(D, aureole, backward, share, residual, c, e);
+  }
+
+  // Where c and e would leave p below its bound, they move along the line that keeps it there. Takes the
+  // columns as eliminate() leaves them, W made orthogonal to K by taking `share` of it away.
+  template <class T>
+  void hold_offset(const T& D, const std::vector<T>& aureole, const std::vector<T>& backward, const T& share,
+                   T* residual, T& c, T& e) const {
+    using std::exp;
+    const T k1 = exp(D * (problem->sun.sun_zenith_rad - problem->sun.gamma_0_rad)) / D;
+    const double k2 = problem->sun.cos2_sun_zenith;
+    const T lacking = least_offset - (1.0 - c * k1 - e * k2);
+    if (least_offset == 0.0 || !(lacking > 0.0)) return;
+    // Along the line (c, e) = foot + t (-k2, k1).
+    const T foot = (1.0 - least_offset) / (k1 * k1 + k2 * k2);
+    const T c_from = k1 * foot;
+    const T e_from = k2 * foot;
+    T square(0.0), product(0.0);
+    std::vector<T> along(aureole.size());
+    for (std::size_t i = 0; i < aureole.size(); ++i) {
+      const T W = aureole[i] + share * backward[i];
+      along[i] = k1 * backward[i] - k2 * W;
+      residual[i] += (c_from - c) * W + (e_from - e) * backward[i];
+      square += along[i] * along[i];
+      product += along[i] * residual[i];
+    }
+    const T t = square > 0.0 ? T(-product / square) : T(0.0);
+    for (std::size_t i = 0; i < aureole.size(); ++i) residual[i] += t * along[i];
+    c = c_from - t * k2;
+    e = e_from + t * k1;
   }
 };
 
-// The same in aB, B, D: for small B, aU is aB (1/cosθ - 1), and the valley along which a and B trade, a
-// hyperbola in them, is straight.
+// The same in ln(1-a), ln(-B), D, in which the valleys along which a and B trade are straight.
 struct StraightResiduals {
   ProjectedResiduals projected;
 
   template <class T>
   bool operator()(const T* parameter, T* residual) const {
-    const T at[] = {T(parameter[0] / parameter[1]), parameter[1], parameter[2]};
+    using std::exp;
+    const T at[] = {T(1.0 - exp(parameter[0])), T(-exp(parameter[1])), parameter[2]};
     return projected(at, residual);
   }
 };
@@ -121,30 +153,32 @@ constexpr double kPreethamStart_T = 3.0;  // the middle of his range
 
 Start searched(const LinearParameters& all) { return {all[0], all[1], all[3]}; }
 
+double least_offset(const FitOptions& options) { return 1.0 / options.largest_scattering; }
+
 }  // namespace
 
 PerezForm::PerezForm(const FitProblem& problem, const FitOptions& options)
-    : problem_(problem),
-      options_(options),
-      residuals_(std::make_unique<ceres::AutoDiffCostFunction<ProjectedResiduals, ceres::DYNAMIC, 3>>(
-          new ProjectedResiduals{&problem}, static_cast<int>(problem.observations.size()))) {}
+    : problem_(problem), options_(options) {}
 
 Minimum PerezForm::search_on(Minimum from) const {
   const ceres::AutoDiffCostFunction<StraightResiduals, ceres::DYNAMIC, 3> residuals(
-      new StraightResiduals{{&problem_}}, static_cast<int>(problem_.observations.size()));
-  from.at[0] *= from.at[1];
-  Minimum end = newton_search(residuals, bounds(), std::move(from), options_.max_iterations);
-  end.at[0] /= end.at[1];
+      new StraightResiduals{{&problem_, least_offset(options_)}},
+      static_cast<int>(problem_.observations.size()));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<ParameterBounds> bounds{{-std::log(options_.largest_gradation), kInfinity},
+                                            {std::log(-options_.B_upper), std::log(-options_.B_lower)},
+                                            {options_.D_lower, options_.D_upper}};
+  from.at = {std::log1p(-from.at[0]), std::log(-from.at[1]), from.at[2]};
+  Minimum end = newton_search(residuals, bounds, std::move(from), options_.max_iterations);
+  const double B = end.at[1] >= bounds[1].upper   ? options_.B_lower
+                   : end.at[1] <= bounds[1].lower ? options_.B_upper
+                                                  : -std::exp(end.at[1]);
+  end.at = {-std::expm1(end.at[0]), B, end.at[2]};
   return end;
 }
 
-std::vector<ParameterBounds> PerezForm::bounds() const {
-  return {{}, {options_.B_lower, options_.B_upper}, {options_.D_lower, options_.D_upper}};
-}
-
 std::vector<Start> PerezForm::starts() const {
-  std::vector<Start> starts;
-  for (const GridMinimum& minimum : search_grid(problem_, options_)) starts.push_back(searched(minimum.at));
+  std::vector<Start> starts = search_grid(problem_, options_);
   const PerezYxy preetham = preetham1999_coefficients(kPreethamStart_T);
   for (const PerezCoefficients& k : {preetham.Y, preetham.x, preetham.y})
     starts.push_back(searched(to_linear(k, problem_.sun)));
@@ -155,7 +189,7 @@ LinearParameters PerezForm::all_parameters(std::span<const double> searched) con
   std::vector<double> residual(problem_.observations.size());
   double c = 0.0;
   double e = 0.0;
-  ProjectedResiduals{&problem_}.eliminate(searched.data(), residual.data(), c, e);
+  ProjectedResiduals{&problem_, least_offset(options_)}.eliminate(searched.data(), residual.data(), c, e);
   return {searched[0], searched[1], c, searched[2], e};
 }
 

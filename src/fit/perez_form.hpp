@@ -1,9 +1,6 @@
 #pragma once
 
-#include <ceres/cost_function.h>
-
 #include <Eigen/Core>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,13 +17,9 @@ class PerezForm {
   /// Both arguments must outlive the form.
   PerezForm(const FitProblem& problem, const FitOptions& options);
 
-  /// By a, B, D; c and e follow by linear least squares.
-  ceres::CostFunction& residuals() { return *residuals_; }
-  /// Of a, B, D.
-  std::vector<ParameterBounds> bounds() const;
   /// The best places of a search over B and D, and Preetham's coefficients of Y, x and y.
   std::vector<Start> starts() const;
-  /// Goes on by Newton's method from where the search reached its limit of iterations.
+  /// Goes on by Newton's method, with automatic derivatives, from where the search stopped short.
   Minimum search_on(Minimum from) const;
   /// a, B, c, D, e for searched a, B, D.
   LinearParameters all_parameters(std::span<const double> searched) const;
@@ -38,7 +31,6 @@ class PerezForm {
  private:
   const FitProblem& problem_;
   const FitOptions& options_;
-  std::unique_ptr<ceres::CostFunction> residuals_;
 };
 
 }  // namespace skylut::fit_detail

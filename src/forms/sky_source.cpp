@@ -56,6 +56,10 @@ std::optional<double> SkySource::albedo_made_with() const {
   return table_->table().provenance()->ground_albedo;
 }
 
+Range SkySource::view_zenith_deg(const SkyConditions& conditions) const {
+  return table_ != nullptr ? table_->view_zenith_deg(conditions) : model_->info().view_zenith_deg;
+}
+
 Turbidity SkySource::in_own_kind(const Context& context, const Turbidity& turbidity) const {
   if (table_ != nullptr) return table_->table().in_own_kind(context, turbidity);
   const TurbidityKind kind = model_->info().turbidity_kind;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "skylut/core/constants.hpp"
-#include "skylut/table/fit_table.hpp"
-
 namespace skylut {
 
 namespace {
@@ -35,34 +32,12 @@ std::vector<double> spread(const Range& range, std::size_t first, std::size_t co
   return values;
 }
 
-// Rings that the fits do not see, on the sun's one side: the other is its mirror image.
-std::vector<Direction> check_directions() {
-  std::vector<Direction> directions{{0.0, 0.0}};
-  for (double zenith_deg = 3.0; zenith_deg < 90.0; zenith_deg += zenith_deg < 86.0 ? 3.0 : 1.0)
-    for (double azimuth_deg = 5.0; azimuth_deg < 180.0; azimuth_deg += 10.0)
-      directions.push_back({zenith_deg, azimuth_deg});
-  return directions;
-}
-
-HeldOutSky held_out(const SkyMap& map, std::size_t fitted, const TableEntry& alone) {
-  const auto first = static_cast<std::ptrdiff_t>(fitted);
-  HeldOutSky held{alone,
-                  {map.directions.begin() + first, map.directions.end()},
-                  {},
-                  {map.colour.begin() + first, map.colour.end()}};
-  std::vector<double> zenith_rad;
-  for (const Direction& direction : held.directions)
-    zenith_rad.push_back(direction.zenith_deg * kRadiansPerDegree);
-  held.solid_angles_sr = solid_angle_weights(zenith_rad);
+HeldOutSky held_out(const TableSky& sky, const TableEntry& alone) {
+  HeldOutSky held{alone, {}, sky.check.solid_angles_sr, sky.check.colour};
+  held.alone.sun.azimuth_deg = 0.0;  // from which the views' azimuths count
+  for (const RelativeView& view : sky.check.views)
+    held.directions.push_back({view.zenith_deg, view.relative_azimuth_deg});
   return held;
-}
-
-SkyMap first_of(const SkyMap& map, std::size_t directions) {
-  SkyMap part = map;
-  part.directions.resize(directions);
-  part.colour.resize(directions);
-  part.radiance.resize(directions * map.wavelengths.size());
-  return part;
 }
 
 }  // namespace
@@ -87,22 +62,23 @@ std::vector<HeldOutConditions> held_out_conditions(const ModelInfo& domain) {
 }
 
 std::vector<HeldOutSky> held_out_skies(const Context& context, const SkyScene& scene,
-                                       const TransferOptions& transfer, const SkyFitOptions& fit,
-                                       const ModelInfo& domain) {
-  const std::size_t fitted = scene.directions.size();
-  SkyScene held = scene;
-  for (const Direction& direction : check_directions()) held.directions.push_back(direction);
+                                       const TransferOptions& transfer, const TableSampling& sampling,
+                                       const TableFitOptions& fit, const ModelInfo& domain) {
+  TableFitOptions alone = fit;
+  alone.branch_tolerance = 0.0;
+  TableSampling without_maps = sampling;
+  without_maps.map_directions.clear();
   std::vector<HeldOutSky> all;
   for (const HeldOutConditions& conditions : held_out_conditions(domain)) {
+    SkyScene held = scene;
     held.turbidities = {{domain.turbidity_kind, conditions.turbidity}};
     held.altitudes_km = conditions.altitudes_km;
     held.suns.clear();
     for (const double sun_deg : conditions.sun_zeniths_deg) held.suns.push_back({sun_deg, 0.0});
-    const std::vector<SkyMap> maps = simulate_sky(context, held, transfer);
-    std::vector<SkyMap> to_fit;
-    for (const SkyMap& map : maps) to_fit.push_back(first_of(map, fitted));
-    const SkyTable rows = fit_table(context, to_fit, fit);
-    for (std::size_t i = 0; i < maps.size(); ++i) all.push_back(held_out(maps[i], fitted, rows.entries[i]));
+    const TableSkies skies = simulate_table_skies(context, held, transfer, without_maps);
+    const SkyTable rows = fit_table(context, skies.skies, alone);
+    for (std::size_t i = 0; i < skies.skies.size(); ++i)
+      all.push_back(held_out(skies.skies[i], rows.entries[i]));
   }
   return all;
 }

@@ -12,7 +12,6 @@ namespace skylut {
 namespace {
 
 constexpr double kCandelaPerKilocandela = 1000.0;
-constexpr double kHorizon_deg = 90.0;
 
 // Mean of positive values by their logarithms, of others as they are.
 class Mean {
@@ -46,7 +45,8 @@ Yxy RowBlend::Term::colour(double cos_zenith, double gamma_rad, double cos_gamma
           scale.y * perez(coefficients.y, cos_zenith, held_rad, cos_held)};
 }
 
-RowBlend::RowBlend(const std::vector<WeightedRow>& rows, const Direction& sun) : sun_(sun) {
+RowBlend::RowBlend(const std::vector<WeightedRow>& rows, const Direction& sun, double horizon_zenith_deg)
+    : sun_(sun), horizon_zenith_deg_(horizon_zenith_deg) {
   largest_B_ = -std::numeric_limits<double>::infinity();
   for (const auto& [entry, weight] : rows) {
     const double sun_rad = entry->sun.zenith_deg * kRadiansPerDegree;
@@ -58,8 +58,10 @@ RowBlend::RowBlend(const std::vector<WeightedRow>& rows, const Direction& sun) :
     term.scale = {scale(entry->zenith.Y * kCandelaPerKilocandela, entry->Y), scale(entry->zenith.x, entry->x),
                   scale(entry->zenith.y, entry->y)};
     term.weight = weight;
-    term.lowest_gamma_rad = std::max(0.0, entry->sun.zenith_deg - kHorizon_deg) * kRadiansPerDegree;
-    term.highest_gamma_rad = std::min(180.0, entry->sun.zenith_deg + kHorizon_deg) * kRadiansPerDegree;
+    term.lowest_gamma_rad =
+        std::max(0.0, entry->sun.zenith_deg - entry->horizon_zenith_deg) * kRadiansPerDegree;
+    term.highest_gamma_rad =
+        std::min(180.0, entry->sun.zenith_deg + entry->horizon_zenith_deg) * kRadiansPerDegree;
     terms_.push_back(term);
     largest_B_ = std::max({largest_B_, entry->Y.B, entry->x.B, entry->y.B});
   }
@@ -69,8 +71,8 @@ void RowBlend::colour(std::span<const Direction> views, std::span<Yxy> colours) 
   if (views.size() != colours.size())
     throw InputError("sky in {} directions into {} colours: must be as many", views.size(), colours.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
-    require_in_perez_dome(views[i], largest_B_);
-    const double cos_zenith = std::cos(views[i].zenith_deg * kRadiansPerDegree);
+    const double zenith_deg = perez_zenith_deg(views[i], horizon_zenith_deg_, largest_B_);
+    const double cos_zenith = std::cos(zenith_deg * kRadiansPerDegree);
     const double gamma_rad = angle_between(views[i], sun_);
     const double cos_gamma = std::cos(gamma_rad);
     Mean Y;

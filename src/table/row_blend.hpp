@@ -17,12 +17,14 @@ struct WeightedRow {
 
 /// The sky between rows: for Y, x and y each
 ///   ln v(θ, γ) = Σ w_i ln v_i(θ, γ),   v_i(θ, γ) = v_z,i F_i(θ, γ)/F_i(0, θ_s,i)     [fit.md T1]
-/// with γ the angle to the sun that is asked for, not to the row's: the aureole stands where the sun does. γ
-/// is held within what the row's own dome has of it. Where a v_i is not positive, Σ w_i v_i instead.
+/// with θ stretched to the horizon of the observer asked for, as the rows' are to theirs, and with γ the
+/// angle to the sun that is asked for, not to the row's: the aureole stands where the sun does. γ is held
+/// within what the row's own dome has of it. Where a v_i is not positive, Σ w_i v_i instead.
 class RowBlend final : public Sky {
  public:
-  /// @param rows  one or more, their weights 1 together
-  RowBlend(const std::vector<WeightedRow>& rows, const Direction& sun);
+  /// @param rows                one or more, their weights 1 together
+  /// @param horizon_zenith_deg  as PerezSky's
+  RowBlend(const std::vector<WeightedRow>& rows, const Direction& sun, double horizon_zenith_deg);
 
   using Sky::colour;
   /// @throws InputError  as PerezSky::colour
@@ -42,6 +44,7 @@ class RowBlend final : public Sky {
 
   std::vector<Term> terms_;
   Direction sun_;
+  double horizon_zenith_deg_;
   double largest_B_ = 0.0;
 };
 

@@ -39,6 +39,8 @@ ModelInfo info_of(const Table& table) {
                  .turbidity = range_of(table.axes().turbidities, ""),
                  .sun_zenith_deg = range_of(sun_zeniths, "deg"),
                  .view_zenith_deg = {0.0, 90.0, "deg"}};
+  for (const TableEntry& entry : table.entries())
+    info.view_zenith_deg.highest = std::max(info.view_zenith_deg.highest, entry.horizon_zenith_deg);
   if (info.sun_zenith_deg.lowest <= kNearZenith_deg) info.sun_zenith_deg.lowest = 0.0;
   return info;
 }
@@ -85,7 +87,8 @@ std::array<double, kCubicNodes> lagrange_weights(const double* nodes, double x) 
 PerezSky sky_of(const TableEntry& entry) {
   return {{entry.Y, entry.x, entry.y},
           {entry.zenith.Y * kCandelaPerKilocandela, entry.zenith.x, entry.zenith.y},
-          entry.sun};
+          entry.sun,
+          entry.horizon_zenith_deg};
 }
 
 TableModel::TableModel(Table table, const TableModelOptions& options)
@@ -125,13 +128,16 @@ std::unique_ptr<const Sky> TableModel::at(const SkyConditions& conditions) const
                      turbidity_kind_name(info_.turbidity_kind));
   if (const TableEntry* const entry = row(conditions)) {
     const PerezSky own = sky_of(*entry);
-    return std::make_unique<const PerezSky>(own.coefficients(), own.zenith(), conditions.sun);
+    return std::make_unique<const PerezSky>(own.coefficients(), own.zenith(), conditions.sun,
+                                            own.horizon_zenith_deg());
   }
   const std::vector<std::string> outside = outside_domain(info_, conditions);
   if (!outside.empty() && !options_.extrapolate)
     throw InputError("{}: must lie within what the table has", fmt::join(outside, ", "));
   if (grid_)
-    return options_.rule == TableRule::utm2005 ? summed_over_altitudes(conditions) : blended(conditions);
+    return options_.rule == TableRule::utm2005
+               ? summed_over_altitudes(conditions)
+               : blended(conditions, horizon_zenith_deg(conditions.altitude_km));
   std::vector<std::string> suns;
   for (const Direction& sun : table_.axes().suns)
     suns.push_back(fmt::format("{}:{}", sun.zenith_deg, sun.azimuth_deg));
@@ -144,7 +150,8 @@ std::unique_ptr<const Sky> TableModel::at(const SkyConditions& conditions) const
       fmt::join(table_.axes().turbidities, ", "), fmt::join(suns, ", "));
 }
 
-std::unique_ptr<const Sky> TableModel::blended(const SkyConditions& conditions) const {
+std::unique_ptr<const Sky> TableModel::blended(const SkyConditions& conditions,
+                                               double horizon_zenith_deg) const {
   const double turbidity = conditions.turbidity.value;
   const Bracket altitudes = held_bracket(grid_->altitudes_km(), conditions.altitude_km);
   const Bracket turbidities =
@@ -158,7 +165,24 @@ std::unique_ptr<const Sky> TableModel::blended(const SkyConditions& conditions) 
         const double weight = of_altitude * of_load * of_sun;
         if (weight != 0.0) rows.push_back({&table_.entries()[grid_->row(altitude, load, sun)], weight});
       }
-  return std::make_unique<const RowBlend>(rows, conditions.sun);
+  return std::make_unique<const RowBlend>(rows, conditions.sun, horizon_zenith_deg);
+}
+
+// The dip of the horizon goes with the root of the altitude.
+double TableModel::horizon_zenith_deg(double altitude_km) const {
+  const Bracket altitudes = rescaled(held_bracket(grid_->altitudes_km(), altitude_km), grid_->altitudes_km(),
+                                     altitude_km, [](double value) { return std::sqrt(value); });
+  const auto at = [&](std::size_t altitude) {
+    return table_.entries()[grid_->row(altitude, 0, 0)].horizon_zenith_deg;
+  };
+  return linear(at(altitudes.below), at(altitudes.above), altitudes.part);
+}
+
+Range TableModel::view_zenith_deg(const SkyConditions& conditions) const {
+  const TableEntry* const entry = row(conditions);
+  if (entry == nullptr && !grid_) return info_.view_zenith_deg;
+  return {0.0, entry != nullptr ? entry->horizon_zenith_deg : horizon_zenith_deg(conditions.altitude_km),
+          "deg"};
 }
 
 std::unique_ptr<const Sky> TableModel::summed_over_altitudes(const SkyConditions& conditions) const {
@@ -173,7 +197,7 @@ std::unique_ptr<const Sky> TableModel::summed_over_altitudes(const SkyConditions
   for (std::size_t i = 0; i < kCubicNodes; ++i) {
     SkyConditions of_layer = conditions;
     of_layer.altitude_km = nodes[first + i];
-    skies.emplace_back(blended(of_layer), weights[i]);
+    skies.emplace_back(blended(of_layer, horizon_zenith_deg(altitude_km)), weights[i]);
   }
   return std::make_unique<const LayerSum>(std::move(skies));
 }

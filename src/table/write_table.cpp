@@ -9,10 +9,9 @@
 
 namespace skylut {
 
-void write_table(const std::filesystem::path& folder, const SkyTable& table,
-                 const std::vector<Direction>& directions, const Provenance& provenance) {
+void write_table(const std::filesystem::path& folder, const SkyTable& table, const Provenance& provenance) {
   const std::string csv = format_table_csv(table.entries);
-  const std::string json = table_json(table, directions, provenance);
+  const std::string json = table_json(table, provenance);
   write_texts_atomically(
       std::array{FileText{folder / "table.csv", csv}, FileText{folder / "table.json", json}});
 }

@@ -47,6 +47,13 @@ skylut_refuses(table_threads_negative 2 "--threads '-1'" table --out out --threa
 skylut_refuses(table_threads_fraction 2 "--threads '1.5'" table --out out --threads 1.5)
 skylut_refuses(table_quality_unknown 2 "--quality 'best'.*reference" table --out out --quality best)
 skylut_refuses(table_weights_unknown 2 "--weights 'none'.*solid-angle" table --out out --weights none)
+skylut_refuses(table_directions_misspelt 2 "--directions 'dom': must be dome, utm271, preetham343 or a CSV file .*did you mean dome" table --out out --directions dom)
+skylut_refuses(table_directions_below_90 2 "--directions 'low.csv': zenith_deg 91: must be at most 90" table --out out
+  --directions low.csv INPUT "low.csv=zenith_deg,azimuth_deg\\n0,0\\n91,0\\n")
+skylut_refuses(table_directions_without_zenith 2 "without a zenith direction" table --out out --directions ring.csv
+  --altitudes-km 0 --turbidities 0 --suns 45:0 --wavelengths-nm 400:700:100 --quality draft
+  INPUT "ring.csv=zenith_deg,azimuth_deg\\n10,0\\n20,0\\n30,0\\n40,0\\n50,0\\n60,0\\n70,90\\n")
+skylut_refuses(table_to_horizon_of_the_report 2 "--to-horizon: needs --directions dome" table --out out --to-horizon --directions utm271)
 skylut_refuses(table_latitude_91 2 "91" table --out out --latitude 91)
 skylut_refuses(table_latitude_no_angle 2 "48:75N" table --out out --latitude 48:75N)
 skylut_refuses(table_longitude_alone 2 "--longitude.*--latitude" table --out out --longitude 2)

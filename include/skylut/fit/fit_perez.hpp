@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "skylut/models/perez.hpp"
 
@@ -26,6 +28,7 @@ enum class ResidualKind {
 enum class SampleWeights {
   uniform,      ///< every direction counts the same, as in the sources
   solid_angle,  ///< every direction counts with the solid angle of its ring, divided among the ring
+  horizon,      ///< the same, times horizon_emphasis()
 };
 
 enum class Termination {
@@ -36,13 +39,17 @@ enum class Termination {
 
 std::string_view to_string(Termination termination);
 
-/// What the fit may do. The bounds keep the formula finite everywhere and representable in 32-bit floats.
+/// What the fit may do. The default bounds keep the formula finite everywhere and representable in 32-bit
+/// floats. In any case 1 + A e^B > 0: the gradation has one sign.
 struct FitOptions {
   ResidualKind residual = ResidualKind::relative;
-  double B_lower = -80.0;    ///< the gradation is then gone 15° from the zenith; e^{-B} still fits a float
-  double B_upper = -1e-5;    ///< B < 0: finite at the horizon
-  double D_lower = -80.0;    ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
-  double D_upper = 25.0;     ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
+  double B_lower = -80.0;  ///< the gradation is then gone 15° from the zenith; e^{-B} still fits a float
+  double B_upper = -1e-5;  ///< B < 0: finite at the horizon
+  double D_lower = -80.0;  ///< 1/rad: an aureole 0.7° wide, narrower than a map of directions resolves
+  double D_upper = 25.0;   ///< 1/rad: brightens away from the sun, by e^79 to the antisolar point
+  double largest_gradation = std::numeric_limits<double>::infinity();   ///< of 1 + A e^B, > 1
+  double largest_scattering = std::numeric_limits<double>::infinity();  ///< of 1 + C e^{Dθ_s} + E cos²θ_s,
+                                                                        ///< then > 0; > 1; infinite: any sign
   int starts = 24;           ///< Levenberg-Marquardt runs per fit, from the best places of the search
   int max_iterations = 200;  ///< per run; as many again by Newton's method where they do not suffice
 };
@@ -64,9 +71,9 @@ struct FitReport {
   int iterations = 0;                ///< of the run that won
 };
 
-/// Fits v(θ, γ) = v_z F(θ, γ)/F(0, θ_s), v_z being fixed, by Levenberg-Marquardt with automatic
-/// derivatives (Ceres), from the best places of a search over B and D in which A, C and E are eliminated,
-/// and from Preetham's coefficients; by Newton's method from where that creeps. [fit.md F2-F6]
+/// Fits v(θ, γ) = v_z F(θ, γ)/F(0, θ_s), v_z being fixed, by Levenberg-Marquardt from the
+/// best places of a search over B and D in which A, C and E are eliminated, and from Preetham's coefficients;
+/// by Newton's method with automatic derivatives (Ceres) from where that creeps. [fit.md F2-F6]
 ///
 /// The order of the samples does not matter: mirror-symmetric skies give the same bits.
 ///
@@ -85,6 +92,24 @@ struct FitReport {
 /// coefficients
 FitReport fit_perez(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,
                     const FitOptions& options);
+
+/// A place where the cost has a minimum within the bounds.
+struct PerezMinimum {
+  PerezCoefficients coefficients;
+  double cost = 0.0;
+  Termination termination = Termination::not_run;
+  std::string message;
+  int iterations = 0;
+};
+
+/// The different minima that fit_perez finds whose cost is up to a share `within` above the least, which
+/// comes first. Arguments and errors as fit_perez.
+std::vector<PerezMinimum> perez_minima(std::span<const SkySample> samples, double sun_zenith_rad,
+                                       double zenith_value, const FitOptions& options, double within);
+
+/// What fit_perez reports, of any of the minima.
+FitReport perez_report(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,
+                       const FitOptions& options, const PerezMinimum& minimum);
 
 /// The cost that fit_perez minimises, for any coefficients: ½ Σ weight · residual², weights scaled to mean 1.
 double perez_cost(std::span<const SkySample> samples, double sun_zenith_rad, double zenith_value,

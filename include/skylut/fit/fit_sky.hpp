@@ -37,6 +37,10 @@ struct SkyDirection {
 /// middle between neighbouring rings, the directions of a ring share it evenly; scaled to mean 1.
 std::vector<double> solid_angle_weights(std::span<const double> zenith_rad);
 
+/// The weights of some directions by name. @param solid_angles_sr  of each; empty: solid_angle_weights
+std::vector<double> sample_weights(std::span<const double> zenith_rad,
+                                   std::span<const double> solid_angles_sr, SampleWeights weights);
+
 /// Fits Y, x and y of one sky.
 /// @param views  directions within 0-90° zenith angle, one of them the zenith (below 1e-6°)
 /// @param sky    their colours, Y > 0

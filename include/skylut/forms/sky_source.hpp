@@ -30,6 +30,9 @@ class SkySource {
   /// The ground's albedo that it was made with, where it has no axis of albedo and says so.
   std::optional<double> albedo_made_with() const;
 
+  /// The views that the sky of some conditions has light for.
+  Range view_zenith_deg(const SkyConditions& conditions) const;
+
   /// A turbidity of any kind in the model's: as Table::in_own_kind; for other models in the 1976 standard
   /// atmosphere with the haze of AerosolOptics{}.
   Turbidity in_own_kind(const Context& context, const Turbidity& turbidity) const;

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "skylut/fit/fit_sky.hpp"
-#include "skylut/sky/sky_map.hpp"
 #include "skylut/table/table_entry.hpp"
+#include "skylut/table/table_sky.hpp"
 
 namespace skylut {
 
@@ -17,14 +18,31 @@ struct Context;
 struct SkyTable {
   std::vector<TableEntry> entries;
   std::vector<SkyFit> fits;
+  std::string grid;           ///< in words, what was looked at together to choose between equally good minima
   std::string between_nodes;  ///< JSON text of between_nodes_json(); empty: not measured
 };
 
-/// Fits every map, in parallel; row i is map i. A row does not depend on the other maps nor on the
-/// number of threads.
-/// @param context  threads and progress
-/// @throws InputError  naming the row, if a map cannot be fitted (fit_sky says why)
-SkyTable fit_table(const Context& context, std::span<const SkyMap> maps, const SkyFitOptions& options);
+struct TableFitOptions {
+  FitOptions fit;  ///< its residual kind is set per channel
+  /// Of e^{Dγ} anywhere in the dome: bounds D from above, the closer the lower the sun.
+  double largest_exponential = std::numeric_limits<double>::infinity();
+  SampleWeights weights = SampleWeights::horizon;
+  /// How much dearer than the least a minimum may be that continues its neighbours' branch; 0: every row is
+  /// fitted alone.
+  double branch_tolerance = 0.01;
+
+  /// Bounds that keep every coefficient, and e^B at the zenith, within the normal numbers of half floats, and
+  /// the formula at 89.9° as it is at 90°. [fit.md F7]
+  static TableFitOptions half_floats();
+  /// Every row alone, all directions alike, 32-bit floats: the UTM report's recipe.
+  static TableFitOptions utm2005();
+};
+
+/// Fits the skies of a table, in parallel; row i is sky i. Skies that look the same from under their suns are
+/// fitted once. Nothing depends on the number of threads.
+/// @param skies    a full grid, [altitude][turbidity][sun]
+/// @throws InputError  naming the row, if a sky cannot be fitted (fit_sky says why)
+SkyTable fit_table(const Context& context, std::span<const TableSky> skies, const TableFitOptions& options);
 
 /// @throws WorkError  naming the rows whose fits did not converge
 void require_converged(const SkyTable& table);

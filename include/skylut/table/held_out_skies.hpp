@@ -4,10 +4,8 @@
 
 #include "skylut/colour/yxy.hpp"
 #include "skylut/core/directions.hpp"
-#include "skylut/fit/fit_sky.hpp"
 #include "skylut/models/sky_model.hpp"
-#include "skylut/sky/simulate_sky.hpp"
-#include "skylut/table/table_entry.hpp"
+#include "skylut/table/fit_table.hpp"
 
 namespace skylut {
 
@@ -15,7 +13,7 @@ namespace skylut {
 struct HeldOutSky {
   TableEntry alone;
   std::vector<Direction> directions;
-  std::vector<double> solid_angles_sr;  ///< [direction], of any sum
+  std::vector<double> solid_angles_sr;  ///< [direction]
   std::vector<Yxy> colours;             ///< [direction], simulated; Y in cd/m²
 };
 
@@ -31,11 +29,10 @@ struct HeldOutConditions {
 /// value. The same for the same domain.
 std::vector<HeldOutConditions> held_out_conditions(const ModelInfo& domain);
 
-/// Simulates and fits, each row alone.
-/// @param scene  whose altitudes, turbidities and suns are not used; its directions are those of the fits
-/// @throws  as simulate_sky and fit_table
+/// Simulates and fits, each row alone. @param scene  whose altitudes, turbidities and suns are not used
+/// @throws  as simulate_table_skies and fit_table
 std::vector<HeldOutSky> held_out_skies(const Context& context, const SkyScene& scene,
-                                       const TransferOptions& transfer, const SkyFitOptions& fit,
-                                       const ModelInfo& domain);
+                                       const TransferOptions& transfer, const TableSampling& sampling,
+                                       const TableFitOptions& fit, const ModelInfo& domain);
 
 }  // namespace skylut

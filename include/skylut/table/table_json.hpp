@@ -1,9 +1,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "skylut/core/directions.hpp"
 #include "skylut/core/provenance.hpp"
 #include "skylut/table/fit_table.hpp"
 
@@ -12,8 +10,6 @@ namespace skylut {
 /// table.json: how the table came about (Provenance), units, and for each row the coefficients with what the
 /// fits report. Objects keep a fixed order; the same table gives the same bytes. Numbers that are not finite
 /// are written as null.
-/// @param directions  that every map was sampled in
-std::string table_json(const SkyTable& table, const std::vector<Direction>& directions,
-                       const Provenance& provenance);
+std::string table_json(const SkyTable& table, const Provenance& provenance);
 
 }  // namespace skylut

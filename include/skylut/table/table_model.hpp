@@ -46,6 +46,9 @@ class TableModel final : public SkyModel {
   /// Whether the conditions are those of a row (for a sun of any azimuth), so that nothing is interpolated.
   bool is_node(const SkyConditions& conditions) const;
 
+  /// The views that its sky has light for there; info() has those of any conditions.
+  Range view_zenith_deg(const SkyConditions& conditions) const;
+
   /// @return a PerezSky at a row's conditions
   /// @throws InputError  outside the table's domain (unless extrapolating); between the rows of a table that
   ///                     lacks a combination of its values, naming these; by the rule utm2005 with fewer than
@@ -54,7 +57,8 @@ class TableModel final : public SkyModel {
 
  private:
   const TableEntry* row(const SkyConditions& conditions) const;
-  std::unique_ptr<const Sky> blended(const SkyConditions& conditions) const;
+  double horizon_zenith_deg(double altitude_km) const;
+  std::unique_ptr<const Sky> blended(const SkyConditions& conditions, double horizon_zenith_deg) const;
   std::unique_ptr<const Sky> summed_over_altitudes(const SkyConditions& conditions) const;
 
   Table table_;

@@ -29,12 +29,22 @@ class TableCsv : public testing::Test {
   const fs::path file_ = folder_ / "table.csv";
 };
 
+constexpr const char* kFirstColumns =
+    "altitude_km,turbidity,sun_zenith_deg,sun_azimuth_deg,A_Y,B_Y,C_Y,D_Y,E_Y,A_x,B_x,C_x,D_x,E_x,A_y,B_y,C_"
+    "y,"
+    "D_y,E_y,Y_zenith_kcd_m2,x_zenith,y_zenith,rmse_Y_rel,rmse_x,rmse_y";
+
 // The header as the project's contract with scripts has it.
 TEST_F(TableCsv, Header) {
-  EXPECT_EQ(table_csv_header(),
-            "altitude_km,turbidity,sun_zenith_deg,sun_azimuth_deg,A_Y,B_Y,C_Y,D_Y,E_Y,A_x,B_x,C_x,D_x,E_x,A_"
-            "y,B_y,C_y,"
-            "D_y,E_y,Y_zenith_kcd_m2,x_zenith,y_zenith,rmse_Y_rel,rmse_x,rmse_y");
+  EXPECT_EQ(
+      table_csv_header(),
+      "altitude_km,turbidity,sun_zenith_deg,sun_azimuth_deg,A_Y,B_Y,C_Y,D_Y,E_Y,A_x,B_x,C_x,D_x,E_x,A_"
+      "y,B_y,C_y,"
+      "D_y,E_y,Y_zenith_kcd_m2,x_zenith,y_zenith,rmse_Y_rel,rmse_x,rmse_y,"
+      "rmse_horizon_Y_rel,rmse_horizon_x,rmse_horizon_y,worst_Y_rel,worst_Y_zenith_deg,worst_Y_azimuth_deg,"
+      "worst_x,worst_x_zenith_deg,worst_x_azimuth_deg,worst_y,worst_y_zenith_deg,worst_y_azimuth_deg,"
+      "horizon_zenith_deg,Y_below_90_kcd_m2,light_below_90,undetermined_Y,undetermined_x,undetermined_y,"
+      "at_bound_Y,at_bound_x,at_bound_y");
 }
 
 TEST_F(TableCsv, ReadsBackTheSameBits) {
@@ -49,13 +59,36 @@ TEST_F(TableCsv, ReadsBackTheSameBits) {
   entry.rmse_Y_rel = 0.01;
   entry.rmse_x = 1e-3;
   entry.rmse_y = 2e-3;
+  entry.horizon_zenith_deg = 93.5;
+  entry.notes_x = {1e-3, -0.1 / 3.0, {89.5, 12.0}, "AB", "B"};
+  entry.Y_below_90_kcd_m2 = 5.4;
+  entry.light_below_90 = 0.07;
   const std::vector<TableEntry> entries{entry, entry};
   write_table_csv(file_, entries);
   EXPECT_EQ(read_table_csv(file_), entries);
 }
 
+// Tables of skylut 0.1 have the first columns only.
+TEST_F(TableCsv, ReadsTablesWithoutTheLaterColumns) {
+  std::ofstream(file_, std::ios::binary) << kFirstColumns << "\n"
+                                         << "12,0.5,45,90,-1,-0.3,5,-2,0.4,0,-1,0,-1,0,0,"
+                                         << "-1,0,-1,0,4.5,0.25,0.26,0.01,0.001,0.002\n";
+  const TableEntry entry = read_table_csv(file_).front();
+  EXPECT_EQ(entry.Y, (PerezCoefficients{-1.0, -0.3, 5.0, -2.0, 0.4}));
+  EXPECT_EQ(entry.rmse_y, 0.002);
+  EXPECT_EQ(entry.horizon_zenith_deg, 90.0);
+  EXPECT_EQ(entry.notes_Y, FormulaNotes{});
+}
+
+TEST_F(TableCsv, RefusesAHorizonThatIsNone) {
+  EXPECT_EQ(
+      message(std::string(kFirstColumns) + ",horizon_zenith_deg\n12,0.5,45,90,-1,-0.3,5,-2,0.4,0,-1,0,-1,0,0,"
+                                           "-1,0,-1,0,4.5,0.25,0.26,0.01,0.001,0.002,80\n"),
+      "table.csv:2: horizon_zenith_deg 80: must lie within 90 to below 180");
+}
+
 TEST_F(TableCsv, SaysWhatIsWrong) {
-  const std::string header = table_csv_header() + "\n";
+  const std::string header = std::string(kFirstColumns) + "\n";
   EXPECT_EQ(message(header), "table.csv: holds no rows: must have at least one");
   EXPECT_NE(message("a,b\n1,2\n").find("no column 'altitude_km'"), std::string::npos);
   std::string zeros = "0";

@@ -11,12 +11,12 @@
 namespace skylut {
 namespace {
 
-const std::vector<SkyMap> kMaps{perez_map(0.0, {60.0, 90.0})};
+const std::vector<TableSky> kSkies{perez_table_sky(0.0, {60.0, 90.0})};
 
 std::string text() {
   Provenance provenance("skylut table --albedo 0.15");
   provenance.describe("weights", std::string("uniform"));
-  return table_json(fit_table(test::context, kMaps, {}), kMaps.front().directions, provenance);
+  return table_json(fit_table(test::context, kSkies, TableFitOptions::half_floats()), provenance);
 }
 
 TEST(TableJson, SaysHowItCameAbout) {
@@ -30,6 +30,8 @@ TEST(TableJson, SaysHowItCameAbout) {
 TEST(TableJson, HoldsTheReportOfEveryFit) {
   const auto row = nlohmann::json::parse(text())["rows"][0];
   EXPECT_EQ(row["row"], 1);
+  EXPECT_EQ(row["horizon_zenith_deg"], 90.0);
+  EXPECT_EQ(row["light_below_90"], 0.0);
   EXPECT_NEAR(row["zenith"]["Y"].get<double>(), 3.5, 1e-12);
   for (const char* channel : {"Y", "x", "y"}) {
     const auto& report = row[channel];
@@ -41,6 +43,8 @@ TEST(TableJson, HoldsTheReportOfEveryFit) {
     }
     EXPECT_EQ(report["termination"], "converged");
     EXPECT_LT(report["rmse"].get<double>(), 1e-6);
+    EXPECT_LT(report["rmse_horizon"].get<double>(), 1e-6);
+    EXPECT_LT(report["fit_rmse"].get<double>(), 1e-6);
     EXPECT_TRUE(report["worst_direction"].contains("zenith_deg"));
   }
 }

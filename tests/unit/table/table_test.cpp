@@ -22,13 +22,13 @@ class TableOnDisk : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_);
-    const std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(12.0, {60.0, 90.0}),
-                                   perez_map(12.0, {45.0, 180.0})};
-    fitted_ = fit_table(test::context, maps, {});
+    const std::vector<TableSky> skies{perez_table_sky(0.0, {60.0, 90.0}), perez_table_sky(12.0, {60.0, 90.0}),
+                                      perez_table_sky(12.0, {45.0, 180.0})};
+    fitted_ = fit_table(test::context, skies, TableFitOptions::half_floats());
     Provenance provenance("skylut table --suns 60:90,45:180");
     provenance.describe("turbidities",
                         {{{"given", 0.5}, {"kind", "aod550"}, {"aod550", 0.5}, {"preetham-t", 7.5}}});
-    write_table(folder_, fitted_, maps.front().directions, provenance);
+    write_table(folder_, fitted_, provenance);
   }
   void TearDown() override { fs::remove_all(folder_); }
   void write(const char* name, const std::string& text) {
@@ -153,9 +153,11 @@ TEST_F(TableOnDisk, IsASkyModelAtItsRows) {
       .altitude_km = 12.0, .turbidity = {TurbidityKind::aod550, 0.5}, .sun = {45.0, 180.0}};
   const auto sky = model.at(conditions);
   EXPECT_NEAR(sky->colour(Direction{0.0, 0.0}).Y, 3500.0, 1e-9);  // cd/m²
-  const SkyMap map = perez_map(12.0, {45.0, 180.0});
-  for (std::size_t i = 0; i < map.directions.size(); ++i)
-    EXPECT_NEAR(sky->colour(map.directions[i]).Y, map.colour[i].Y, 1e-6 * map.colour[i].Y);
+  const SampledSky seen = perez_table_sky(12.0, {45.0, 180.0}).check;
+  for (std::size_t i = 0; i < seen.views.size(); ++i) {
+    const Direction view{seen.views[i].zenith_deg, 180.0 + seen.views[i].relative_azimuth_deg};
+    EXPECT_NEAR(sky->colour(view).Y, seen.colour[i].Y, 1e-6 * seen.colour[i].Y);
+  }
 
   conditions.altitude_km = 6.0;
   EXPECT_THROW(model.at(conditions), InputError);
