@@ -12,9 +12,16 @@ from expect import Workplace
 COARSE = ["--wavelengths-nm", "400:700:50", "--quality", "draft"]
 
 
+def number_or_text(value):
+    try:
+        return float(value)
+    except ValueError:
+        return value
+
+
 def rows_of(path):
     with open(path, newline="", encoding="utf-8") as file:
-        return [{name: float(value) for name, value in row.items()}
+        return [{name: number_or_text(value) for name, value in row.items()}
                 for row in csv.DictReader(line for line in file if not line.startswith("#"))]
 
 

@@ -78,18 +78,20 @@ TEST_F(TableOnDisk, TakesTurbiditiesOfOtherKindsAsItsJsonConvertsThem) {
 // Every kind is proportional to optical depth but for a constant, the visibility inversely: T = 1 + 13 aod550
 // and V = 3.912/(0.0115 + 0.4 aod550), straight on between and beyond the pairs of table.json.
 TEST_F(TableOnDisk, ConvertsBetweenItsTurbidities) {
-  std::vector<SkyMap> maps{perez_map(0.0, {60.0, 90.0}), perez_map(0.0, {60.0, 90.0})};
-  maps[0].turbidity = {TurbidityKind::aod550, 0.1};
-  maps[1].turbidity = {TurbidityKind::aod550, 0.5};
+  std::vector<TableEntry> entries(2, fitted_.entries.front());
+  entries[0].turbidity = 0.1;
   nlohmann::ordered_json listed;
-  for (const double aod550 : {0.1, 0.5})
-    listed.push_back({{"given", aod550},
+  for (const TableEntry& entry : entries)
+    listed.push_back({{"given", entry.turbidity},
                       {"kind", "aod550"},
-                      {"preetham-t", 1.0 + 13.0 * aod550},
-                      {"visibility-km", 3.912 / (0.0115 + 0.4 * aod550)}});
-  Provenance provenance("skylut table");
-  provenance.describe("turbidities", listed);
-  write_table(folder_, fit_table(test::context, maps, {}), maps.front().directions, provenance);
+                      {"preetham-t", 1.0 + 13.0 * entry.turbidity},
+                      {"visibility-km", 3.912 / (0.0115 + 0.4 * entry.turbidity)}});
+  write("table.csv", format_table_csv(entries));
+  write("table.json", nlohmann::ordered_json{{"format", "skylut table"},
+                                             {"skylut_version", "0.2.0"},
+                                             {"command", "skylut table"},
+                                             {"inputs", {{"turbidities", listed}}}}
+                          .dump());
   const Table table = Table::read(folder_);
   for (const double aod550 : {0.0, 0.1, 0.3, 0.7}) {
     EXPECT_NEAR(table.in_own_kind(test::context, {TurbidityKind::preetham_t, 1.0 + 13.0 * aod550}).value,
