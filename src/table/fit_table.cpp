@@ -257,8 +257,8 @@ TableEntry table_entry(const TableSky& sky, const SkyFit& fit) {
     std::array<bool, 5> undetermined{};
     std::transform(report->determined.begin(), report->determined.end(), undetermined.begin(),
                    std::logical_not<>());
-    notes->undetermined = table_detail::flagged(undetermined);
-    notes->at_bound = table_detail::flagged(report->at_bound);
+    notes->undetermined = table_detail::flags_text(undetermined);
+    notes->at_bound = table_detail::flags_text(report->at_bound);
   }
   entry.Y_below_90_kcd_m2 = sky.Y_below_cd_m2 / kCandelaPerKilocandela;
   entry.light_below_90 = sky.light_below;
@@ -324,8 +324,15 @@ SkyTable fit_table(const Context& context, std::span<const TableSky> skies, cons
   });
   SkyTable table;
   table.grid = described(places);
+  std::array<double, 3> cost_over_least{};
   for (std::size_t row = 0; row < skies.size(); ++row) {
     table.fits.push_back(fits[which.of_row[row]]);
+    for (std::size_t c = 0; c < kChannels.size(); ++c) {
+      const std::vector<PerezMinimum>& minima = fitted[which.of_row[row]].minima[c];
+      const double cost = minima[branches[c][which.of_row[row]]].cost;
+      cost_over_least[c] = cost > minima.front().cost ? cost / minima.front().cost - 1.0 : 0.0;
+    }
+    table.cost_over_least.push_back(cost_over_least);
     table.entries.push_back(table_entry(skies[row], table.fits.back()));
   }
   return table;

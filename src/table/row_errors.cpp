@@ -59,11 +59,10 @@ void add_errors(TableEntry& entry, const TableSky& sky) {
       add_errors_of(entry.notes_y, entry, sky, entry.y, entry.zenith.y, &Yxy::y, ResidualKind::absolute);
 }
 
-std::string flagged(const std::array<bool, 5>& flags) {
-  std::string letters;
-  for (std::size_t i = 0; i < flags.size(); ++i)
-    if (flags[i]) letters += kPerezNames[i];
-  return letters.empty() ? "-" : letters;
+std::string flags_text(const std::array<bool, 5>& flags) {
+  std::string digits;
+  for (const bool flag : flags) digits += flag ? '1' : '0';
+  return digits;
 }
 
 }  // namespace skylut::table_detail

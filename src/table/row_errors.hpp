@@ -1,7 +1,7 @@
 #pragma once
 
-#include <span>
-#include <vector>
+#include <array>
+#include <string>
 
 #include "skylut/fit/fit_sky.hpp"
 #include "skylut/table/table_entry.hpp"
@@ -16,7 +16,7 @@ SkyDirection formula_view(const TableSky& sky, const RelativeView& view);
 /// Fills the row's errors: the formulas against the sky's check directions, by solid angle.
 void add_errors(TableEntry& entry, const TableSky& sky);
 
-/// The letters of the coefficients whose flag is set, "AB"; "-" if none is.
-std::string flagged(const std::array<bool, 5>& flags);
+/// A digit for each flag, "10010".
+std::string flags_text(const std::array<bool, 5>& flags);
 
 }  // namespace skylut::table_detail

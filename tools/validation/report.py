@@ -37,10 +37,10 @@ class Context:
     made_tables: list = dataclasses.field(default_factory=list)
 
     def table(self):
-        """The default table with its maps, made once in a run."""
+        """The table of the UTM report's recipe with its maps, made once in a run."""
         folder = self.work / "table"
         if not self.made_tables:
-            self.program.table(folder, "--save-maps")
+            self.program.table(folder, "--directions", "utm271", "--save-maps")
             self.made_tables.append(folder)
         return folder
 

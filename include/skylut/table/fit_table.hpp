@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -18,6 +19,9 @@ struct Context;
 struct SkyTable {
   std::vector<TableEntry> entries;
   std::vector<SkyFit> fits;
+  /// [row], of Y, x, y: what continuing the neighbours cost, the fit's cost over that of its best minimum,
+  /// less 1.
+  std::vector<std::array<double, 3>> cost_over_least;
   std::string grid;           ///< in words, what was looked at together to choose between equally good minima
   std::string between_nodes;  ///< JSON text of between_nodes_json(); empty: not measured
 };

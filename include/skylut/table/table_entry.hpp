@@ -13,8 +13,9 @@ struct FormulaNotes {
   double rmse_horizon = 0.0;  ///< of the last 10° above the formula's horizon
   double worst = 0.0;         ///< the largest error in size, signed, formula minus simulation
   Direction worst_direction;
-  std::string undetermined = "-";  ///< the coefficients that the data do not fix, "AB"; "-": none
-  std::string at_bound = "-";      ///< those on a bound of the fit, likewise
+  /// One digit for each of A…E, 1 for those that the data do not fix: "11000" for A and B.
+  std::string undetermined = "00000";
+  std::string at_bound = "00000";  ///< likewise, those on a bound of the fit
 
   bool operator==(const FormulaNotes&) const = default;
 };

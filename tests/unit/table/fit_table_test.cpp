@@ -73,6 +73,19 @@ TEST(FitTable, ErrorsAreThoseOfTheCheckBySolidAngle) {
   EXPECT_LT(row.rmse_x, 1e-8);
 }
 
+// Without an aureole D means nothing, and a gradation steeper than any bound ends on it.
+TEST(FitTable, FlagsAreDigits) {
+  const std::vector<TableSky> skies{perez_table_sky(0.0, {50.0, 0.0}, {0.5, -1.0, 0.0, -1.0, 0.7})};
+  const TableEntry row = fit_table(test::context, skies, TableFitOptions::half_floats()).entries[0];
+  EXPECT_EQ(row.notes_Y.undetermined[3], '1');
+  EXPECT_EQ(row.notes_Y.undetermined[4], '0');
+  EXPECT_EQ(row.notes_x.undetermined, "00000");
+  EXPECT_EQ(row.notes_x.at_bound, "00000");
+  TableFitOptions narrow = TableFitOptions::half_floats();
+  narrow.fit.B_upper = -1.5;
+  EXPECT_EQ(fit_table(test::context, skies, narrow).entries[0].notes_Y.at_bound, "01000");
+}
+
 TEST(FitTable, MirrorImagesAreFittedOnce) {
   const std::vector<TableSky> skies{perez_table_sky(0.0, {60.0, 90.0}), perez_table_sky(0.0, {60.0, 270.0})};
   Context context = test::context;

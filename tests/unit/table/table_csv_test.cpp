@@ -60,7 +60,7 @@ TEST_F(TableCsv, ReadsBackTheSameBits) {
   entry.rmse_x = 1e-3;
   entry.rmse_y = 2e-3;
   entry.horizon_zenith_deg = 93.5;
-  entry.notes_x = {1e-3, -0.1 / 3.0, {89.5, 12.0}, "AB", "B"};
+  entry.notes_x = {1e-3, -0.1 / 3.0, {89.5, 12.0}, "11000", "01000"};
   entry.Y_below_90_kcd_m2 = 5.4;
   entry.light_below_90 = 0.07;
   const std::vector<TableEntry> entries{entry, entry};

@@ -44,6 +44,7 @@ TEST(TableJson, HoldsTheReportOfEveryFit) {
     EXPECT_EQ(report["termination"], "converged");
     EXPECT_LT(report["rmse"].get<double>(), 1e-6);
     EXPECT_LT(report["rmse_horizon"].get<double>(), 1e-6);
+    EXPECT_EQ(report["cost_over_least"], 0.0);
     EXPECT_LT(report["fit_rmse"].get<double>(), 1e-6);
     EXPECT_TRUE(report["worst_direction"].contains("zenith_deg"));
   }
