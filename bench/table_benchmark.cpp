@@ -2,7 +2,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "skylut/models/preetham_coefficients.hpp"
+#include "skylut/sky/simulate_sky.hpp"
 #include "skylut/table/fit_table.hpp"
+#include "skylut/table/table_model.hpp"
 #include "support/test_atmosphere.hpp"
 
 namespace skylut {
@@ -28,6 +31,53 @@ BENCHMARK(default_table)
     ->UseRealTime()
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
+
+// A table of Preetham's coefficients on 5 altitudes × 3 loads × 4 suns: what interpolating costs does not
+// depend on its size.
+TableModel model_between_rows() {
+  std::vector<TableEntry> rows;
+  for (const double altitude_km : {0.0, 2.0, 6.0, 12.0, 20.0})
+    for (const double turbidity : {0.0, 0.25, 1.0})
+      for (const double sun_zenith_deg : {2.0, 30.0, 60.0, 90.0}) {
+        const PerezYxy c = preetham1999_coefficients(2.0 + turbidity);
+        TableEntry row;
+        row.altitude_km = altitude_km;
+        row.turbidity = turbidity;
+        row.sun = {sun_zenith_deg, 0.0};
+        row.Y = c.Y;
+        row.x = c.x;
+        row.y = c.y;
+        row.zenith = {4.0, 0.25, 0.26};
+        rows.push_back(row);
+      }
+  return TableModel(Table(rows));
+}
+
+constexpr SkyConditions kBetween{
+    .altitude_km = 3.0, .turbidity = {TurbidityKind::aod500, 0.1}, .sun = {50.0, 130.0}};
+constexpr SkyConditions kAtARow{
+    .altitude_km = 2.0, .turbidity = {TurbidityKind::aod500, 0.25}, .sun = {60.0, 130.0}};
+
+// One condition, between eight rows.
+void table_sky(benchmark::State& state) {
+  const TableModel model = model_between_rows();
+  for (auto _ : state) benchmark::DoNotOptimize(model.at(kBetween));
+}
+BENCHMARK(table_sky)->Unit(benchmark::kMicrosecond);
+
+// Directions of one sky; items are directions.
+void table_directions(benchmark::State& state, const SkyConditions& conditions) {
+  const auto sky = model_between_rows().at(conditions);
+  const std::vector<Direction> views = directions_utm271();
+  std::vector<Yxy> colours(views.size());
+  for (auto _ : state) {
+    sky->colour(views, colours);
+    benchmark::DoNotOptimize(colours.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(views.size()));
+}
+BENCHMARK_CAPTURE(table_directions, between_rows, kBetween)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(table_directions, at_a_row, kAtARow)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace skylut

@@ -41,15 +41,10 @@ struct MapOptions {
 
 bool is_picture(const MapOptions& options) { return ending_of(options.out) == ".exr"; }
 
-// Options of the other kind of file were not meant for this one; those of this one get their defaults, so
-// that they are recorded.
+// What was not given gets its default, so that it is recorded.
 void settle(MapOptions& options, const OptionSet& given) {
-  const bool picture = is_picture(options);
-  for (const Option& option : given.all())
-    if (option.given && (picture ? option.name == "--directions" : option.group == PictureRequest::kGroup))
-      throw InputError("{}: is for {} files, must not be given with {}", option.name,
-                       picture ? ".csv" : ".exr", options.out.string());
-  if (picture)
+  refuse_options_of_other_files(given, options.out, {"--directions"});
+  if (is_picture(options))
     options.picture.settle();
   else
     options.directions = options.directions.value_or("utm271");
@@ -60,7 +55,7 @@ SkyScene scene_of(const Context& context, MapOptions& options) {
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
   if (options.sun.is_series()) return scene;
-  options.sun.put_into(scene, options.scene);
+  options.sun.put_into(scene, options.scene.sun_place());
   options.sun.require_above(domain::kSunZenith_deg.highest, scene.suns.front(),
                             "the sky's light ends at 96 deg (night)");
   return scene;
@@ -109,7 +104,7 @@ void write_csv(const Context& context, const MapOptions& options, SkyScene scene
 void write_exr(const Context& context, MapOptions& options, SkyScene scene, const OptionSet& given) {
   SunSeries series;
   if (options.sun.is_series()) {
-    series = options.sun.series(options.scene, scene.sun_distance_au);
+    series = options.sun.series(options.scene.sun_place(), scene.sun_distance_au);
   } else {
     series.frames.push_back({1, std::nullopt, scene.suns.front(), scene.sun_distance_au});
     if (options.frame) throw InputError("--frame: needs --suns, --times or --time START/END/STEP");

@@ -66,7 +66,7 @@ SkyScene scene_of(const Context& context, SunOptions& options) {
   SkyScene scene = options.scene.scene(context);
   scene.altitudes_km = {options.altitude_km};
   scene.turbidities = {{options.scene.air().turbidity_kind(), options.turbidity}};
-  options.sun.put_into(scene, options.scene);
+  options.sun.put_into(scene, options.scene.sun_place());
   // Without diffuse light the sun may be anywhere: its position is wanted at night, too.
   require_low_enough_demands(options, scene.suns.front());
   return scene;

@@ -22,7 +22,9 @@
 #include "skylut/core/writable.hpp"
 #include "skylut/export/sky_csv.hpp"
 #include "skylut/report/table_summary.hpp"
+#include "skylut/table/between_nodes.hpp"
 #include "skylut/table/fit_table.hpp"
+#include "skylut/table/named_grids.hpp"
 #include "skylut/table/write_table.hpp"
 #include "weights_kind.hpp"
 
@@ -39,6 +41,7 @@ constexpr const char* kReport2005 = "utm271";
 struct TableOptions {
   SceneOptions scene;
   fs::path out;
+  std::optional<std::string> grid;
   std::vector<double> altitudes_km{0.0, 6.0, 12.0, 20.0, 30.0};
   std::vector<double> turbidities{0.0, 0.5, 1.0};
   std::vector<Direction> suns{{90.0, 90.0}, {45.0, 90.0}, {0.0, 0.0}, {45.0, 270.0}, {90.0, 270.0}};
@@ -47,6 +50,12 @@ struct TableOptions {
   bool to_horizon = false;
   bool save_maps = false;
 };
+
+std::string grid_texts() {
+  std::vector<std::string> texts;
+  for (const NamedGrid& grid : named_grids()) texts.push_back(fmt::format("{} ({})", grid.name, grid.what));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
 
 // A look-up table with two rows for one key would be ambiguous.
 template <class T>
@@ -106,10 +115,12 @@ std::size_t directions_at_once(const TableSampling& sampling) {
 }
 
 void advise_and_check(const Context& context, const SkyScene& scene, const TableSampling& sampling) {
-  require_memory({static_cast<double>(directions_at_once(sampling)),
-                  static_cast<double>(scene.wavelengths.size()),
-                  static_cast<double>(scene.turbidities.size()),
-                  static_cast<double>(scene.altitudes_km.size()), static_cast<double>(scene.suns.size())});
+  const RequestSize size{
+      static_cast<double>(directions_at_once(sampling)), static_cast<double>(scene.wavelengths.size()),
+      static_cast<double>(scene.turbidities.size()), static_cast<double>(scene.altitudes_km.size()),
+      static_cast<double>(scene.suns.size())};
+  const auto of_maps = static_cast<double>(sampling.map_directions.size());
+  require_memory(size, [=](const RequestSize& part) { return needed_bytes_of_table(part, of_maps); });
   advise_on_turbidity(scene.turbidities, *scene.atmosphere);
   advise_on_wavelengths(context, scene.wavelengths);
 }
@@ -133,6 +144,47 @@ void write_maps(const fs::path& folder, const std::vector<SkyMap>& maps, const P
     write_text_atomically(folder / fmt::format("entry_{:03}.csv", i + 1), sky_csv(maps[i], provenance));
 }
 
+// What was not given of a grid's axes is the grid's, and recorded as such.
+void settle_grid(TableOptions& options, const OptionSet& given) {
+  if (!options.grid) return;
+  const NamedGrid& grid = named_grid(*options.grid);
+  if (!given.given("--altitudes-km")) options.altitudes_km = grid.altitudes_km;
+  if (!given.given("--suns")) options.suns = grid.suns;
+  if (given.given("--turbidities")) return;
+  if (given.given("--turbidity-kind") && options.scene.air().turbidity_kind() != grid.turbidity_kind)
+    throw InputError("--turbidity-kind {}: the turbidities of --grid {} are {}; give --turbidities too",
+                     turbidity_kind_name(options.scene.air().turbidity_kind()), grid.name,
+                     turbidity_kind_name(grid.turbidity_kind));
+  options.turbidities = grid.turbidities;
+  options.scene.take_turbidities_as(grid.turbidity_kind);
+}
+
+// @param errors  of some skies, as between_nodes_json() has them
+void print_between_nodes(const char* which_skies, const nlohmann::ordered_json& errors) {
+  const auto percents = [&errors](const char* of) {
+    const nlohmann::ordered_json& Y = errors[of]["Y"];
+    return fmt::format("median {:.2g} %, 90th percentile {:.2g} %, worst {:.2g} %",
+                       100.0 * Y["median"].get<double>(), 100.0 * Y["p90"].get<double>(),
+                       100.0 * Y["worst"].get<double>());
+  };
+  fmt::print("between its rows, {}, {} skies: rms of Y {}; of rows fitted there {}\n", which_skies,
+             errors["skies"].get<std::size_t>(), percents("table"), percents("row_alone"));
+}
+
+// Of a table that is meant to be interpolated: what it errs between its rows.
+void measure_between_nodes(const Context& context, const TableOptions& options, const SkyScene& scene,
+                           const TableSampling& sampling, SkyTable& table) {
+  if (!options.grid || !named_grid(*options.grid).for_between) return;
+  const TableModel model(Table(table.entries, scene.turbidities.front().kind));
+  const std::vector<HeldOutSky> skies = held_out_skies(context, scene, options.scene.transfer(), sampling,
+                                                       fit_options_of(options), model.info());
+  const nlohmann::ordered_json json = between_nodes_json(model, skies);
+  table.between_nodes = json.dump();
+  if (json.contains("sun_up")) print_between_nodes("sun up", json["sun_up"]);
+  if (json.contains("sun_below_horizon"))
+    print_between_nodes("sun below the horizon", json["sun_below_horizon"]);
+}
+
 void run(const TableOptions& options, const std::string& command_line) {
   require_writable_outputs(options);
   const Context context = options.scene.context();
@@ -143,7 +195,8 @@ void run(const TableOptions& options, const std::string& command_line) {
   advise_and_check(context, scene, sampling);
 
   const TableSkies skies = simulate_table_skies(context, scene, options.scene.transfer(), sampling);
-  const SkyTable table = fit_table(context, skies.skies, fit_options);
+  SkyTable table = fit_table(context, skies.skies, fit_options);
+  measure_between_nodes(context, options, scene, sampling, table);
 
   create_folder(options.out);
   Provenance provenance = options.scene.provenance(context, scene, command_line);
@@ -179,6 +232,8 @@ Command table_command() {
   Option& out = set.add("--out", options->out, folder_out(), "folder for the results, created if need be");
   out.required = true;
   out.recorded = false;
+  set.add("--grid", options->grid, choice(grid_names()),
+          "axes by name: " + grid_texts() + "; single axes may be given too");
   set.add("--altitudes-km", options->altitudes_km, numbers(domain::kObserver_km),
           "of the observers above the ground, 0 to 30");
   set.add("--turbidities", options->turbidities, numbers(domain::kTurbidityValue),
@@ -203,6 +258,7 @@ Command table_command() {
     // Settled first, so that they are recorded.
     if (!options->weights)
       options->weights = options->directions == kDome ? SampleWeights::horizon : SampleWeights::uniform;
+    settle_grid(*options, given);
     run(*options, given.command_line("skylut table"));
   };
   return command;

@@ -15,6 +15,9 @@ Command map_command();
 /// `skylut fit FILE`: Perez coefficients of any sky.
 Command fit_command();
 
+/// `skylut eval SOURCE -o sky.exr|sky.csv`: one sky of a table or model.
+Command eval_command();
+
 /// `skylut compare DIR|FILE --against NAME`: a table or sky beside a published model.
 Command compare_command();
 

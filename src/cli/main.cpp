@@ -39,8 +39,9 @@ skylut::cli::Command program() {
       "skylut table --out out/high --altitudes-km 10,15 --turbidities 0.05 --suns 30:180,60:180",
       "skylut map -o sky.exr --sun-zenith-deg 60",
       "skylut map -o sky.csv --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z"};
-  program.subcommands = {table_command(),   map_command(),     fit_command(),   compare_command(),
-                         profile_command(), aerosol_command(), solve_command(), sun_command()};
+  program.subcommands = {table_command(),   map_command(),     fit_command(),
+                         eval_command(),    compare_command(), profile_command(),
+                         aerosol_command(), solve_command(),   sun_command()};
   return program;
 }
 

@@ -41,6 +41,13 @@ double needed_bytes(const RequestSize& size) {
   return solved + columns * kColumn + maps * size.directions * (size.wavelengths * kRadiance + kMapDirection);
 }
 
+double needed_bytes_of_table(const RequestSize& size, double map_directions) {
+  const double skies = size.altitudes * size.turbidities * size.suns;
+  const double columns = kColumnsPerBand * size.wavelengths;
+  return columns * kColumn + skies * size.directions * kMapDirection +
+         skies * map_directions * (size.wavelengths * kRadiance + kMapDirection);
+}
+
 double available_bytes() {
   double bytes = machine_memory_bytes();
   rlimit limit{};
@@ -49,9 +56,9 @@ double available_bytes() {
   return kUsable * bytes;
 }
 
-void require_memory(const RequestSize& size) {
+void require_memory(const RequestSize& size, const std::function<double(const RequestSize&)>& needed_for) {
   const double available = available_bytes();
-  const double needed = needed_bytes(size);
+  const double needed = needed_for(size);
   if (needed <= available) return;
   // The longest list is the one to shorten. Only a single map chooses its directions.
   std::vector<std::pair<double RequestSize::*, const char*>> lists{
@@ -67,7 +74,7 @@ void require_memory(const RequestSize& size) {
   const double count = size.*longest.first;
   RequestSize fitting = size;
   double fits = std::floor(count);
-  while (fits > 1.0 && needed_bytes(fitting) > available)
+  while (fits > 1.0 && needed_for(fitting) > available)
     fitting.*longest.first = fits = std::floor(0.9 * fits);
   throw InputError("{}: {} values: {}: at most {:.0f} fit", longest.second, count, refusal(needed, available),
                    fits);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 /// Requests that cannot fit the machine are refused before the work. [docs/performance.md]
@@ -18,11 +19,16 @@ struct RequestSize {
 /// About how much memory the simulation of it holds at the same time, bytes.
 double needed_bytes(const RequestSize& size);
 
+/// The same of a table: its loads are solved one after the other, and of its skies the colours are kept.
+/// @param map_directions  of the maps that are kept with their radiances; 0: none
+double needed_bytes_of_table(const RequestSize& size, double map_directions);
+
 /// What this process may use: the machine's memory, or less if a limit (ulimit -v, a control group) is set.
 double available_bytes();
 
 /// Refuses skies that do not fit, naming the list that is longest for what it costs and how much of it fits.
 /// @throws InputError
-void require_memory(const RequestSize& size);
+void require_memory(const RequestSize& size,
+                    const std::function<double(const RequestSize&)>& needed = needed_bytes);
 
 }  // namespace skylut::cli

@@ -46,14 +46,27 @@ Kind<WhiteAdaptation> adaptation_kind() {
 }  // namespace
 
 void PictureRequest::add_to(OptionSet& set) {
+  add_shape_to(set);
+  set.add("--sun", sun_, sun_kind(),
+          "its disc: off (default), disc: in the sky, or file: alone in sky_sun.exr beside it");
+  add_light_to(set);
+}
+
+void PictureRequest::add_without_sun_to(OptionSet& set) {
+  add_shape_to(set);
+  add_light_to(set);
+}
+
+void PictureRequest::add_shape_to(OptionSet& set) {
   set.group(kGroup);
   set.add("--projection", projection_, choice(projection_names()),
           "latlong (default), fisheye, fisheye-equisolid, cube, cube-cross or octahedral");
   set.add("--size", size_, whole_number(domain::kPictureSize_pixels),
           "height in pixels, default 256; of a cube, of one face");
   set.add("--sky", part_, part_kind(), "full or half: above the horizon (default of the fisheyes)");
-  set.add("--sun", sun_, sun_kind(),
-          "its disc: off (default), disc: in the sky, or file: alone in sky_sun.exr beside it");
+}
+
+void PictureRequest::add_light_to(OptionSet& set) {
   set.add("--channels", channels_, choice_list(channels_kind()),
           "rgb (default), xyz, luminance, spectral or several: rgb,spectral");
   set.add("--rgb-space", rgb_space_, rgb_space_kind(), "rec709 (default), rec2020, p3, acescg or aces2065-1");
@@ -106,6 +119,18 @@ std::string PictureRequest::write(const Context& context, const fs::path& out,
   std::string report = picture_report(summary, *rgb_space_);
   if (preview_file) report += fmt::format("wrote {}: {}\n", preview_file->string(), preview.description);
   return report;
+}
+
+void refuse_options_of_other_files(const OptionSet& given, const fs::path& out,
+                                   const std::vector<std::string>& of_csv) {
+  const bool picture = ending_of(out) == ".exr";
+  for (const Option& option : given.all()) {
+    if (!option.given) continue;
+    const bool is_of_csv = std::find(of_csv.begin(), of_csv.end(), option.name) != of_csv.end();
+    if (picture ? is_of_csv : option.group == PictureRequest::kGroup)
+      throw InputError("{}: is for {} files, must not be given with {}", option.name,
+                       picture ? ".csv" : ".exr", out.string());
+  }
 }
 
 }  // namespace skylut::cli

@@ -23,6 +23,8 @@ class PictureRequest {
   /// Adds --projection, --size, --sky, --sun, --channels, --rgb-space, --rgb-adaptation, --preview,
   /// --preview-size and --preview-grey-cd-m2 under kGroup.
   void add_to(OptionSet& options);
+  /// The same without --sun: pictures of diffuse light alone.
+  void add_without_sun_to(OptionSet& options);
 
   /// Gives what was not given its default, so that it is recorded.
   void settle();
@@ -47,6 +49,9 @@ class PictureRequest {
   const std::optional<std::filesystem::path>& preview() const { return preview_; }
 
  private:
+  void add_shape_to(OptionSet& options);
+  void add_light_to(OptionSet& options);
+
   std::optional<std::string> projection_;
   std::optional<std::int64_t> size_;
   std::optional<SkyPart> part_;
@@ -58,5 +63,12 @@ class PictureRequest {
   std::optional<std::int64_t> preview_size_;
   std::optional<double> preview_grey_cd_m2_;
 };
+
+/// Options of the other kind of file were not meant for this one.
+/// @param out     .exr takes the options of PictureRequest::kGroup, .csv does not
+/// @param of_csv  options that .exr does not take
+/// @throws InputError  naming the first that was given nevertheless
+void refuse_options_of_other_files(const OptionSet& given, const std::filesystem::path& out,
+                                   const std::vector<std::string>& of_csv);
 
 }  // namespace skylut::cli

@@ -10,6 +10,22 @@
 
 namespace skylut::cli {
 
+void PlaceOptions::add_to(OptionSet& options) {
+  options.add("--latitude", latitude_deg_, latitude(), "geodetic, decimal degrees or as 48:51:24N");
+  options.add("--longitude", longitude_deg_, longitude(), "decimal degrees or as 2d21'03\"E");
+  options.add("--height-m", height_m_, number(domain::kGroundHeight_m),
+              "of the ground above the ellipsoid; default: 0");
+}
+
+std::optional<Place> PlaceOptions::place() const {
+  if (!latitude_deg_) {
+    if (longitude_deg_ || height_m_)
+      throw InputError("--{}: needs --latitude too", longitude_deg_ ? "longitude" : "height-m");
+    return std::nullopt;
+  }
+  return Place{*latitude_deg_, longitude_deg_.value_or(0.0), height_m_.value_or(0.0)};
+}
+
 void AirOptions::add_to(OptionSet& options) {
   options.group("Air");
   options.add("--turbidity-kind", turbidity_kind_, turbidity_kind_by_name(),
@@ -30,25 +46,13 @@ void AirOptions::add_to(OptionSet& options) {
               "pressure at the ground: scales the air and its oxygen at all heights; default: the profile's");
 
   options.group("Place: gives gravity and the Earth's radius (default: standard gravity, 6371 km)");
-  options.add("--latitude", latitude_deg_, latitude(), "geodetic, decimal degrees or as 48:51:24N");
-  options.add("--longitude", longitude_deg_, longitude(), "decimal degrees or as 2d21'03\"E");
-  options.add("--height-m", height_m_, number(domain::kGroundHeight_m),
-              "of the ground above the ellipsoid; default: 0");
-}
-
-std::optional<Place> AirOptions::place() const {
-  if (!latitude_deg_) {
-    if (longitude_deg_ || height_m_)
-      throw InputError("--{}: needs --latitude too", longitude_deg_ ? "longitude" : "height-m");
-    return std::nullopt;
-  }
-  return Place{*latitude_deg_, longitude_deg_.value_or(0.0), height_m_.value_or(0.0)};
+  place_.add_to(options);
 }
 
 AtmosphereDescription AirOptions::atmosphere(const std::string& profile) const {
   AtmosphereDescription description = description_;
   description.profile = profile;
-  description.place = place();
+  description.place = place_.place();
   return description;
 }
 
@@ -78,7 +82,7 @@ SkyScene SceneOptions::scene(const Context& context) const {
   scene.wavelengths = wavelengths_;
   scene.atmosphere = std::make_shared<const Atmosphere>(build_atmosphere(context, air_.atmosphere(profile_)));
   advise_on_profile(context, scene.atmosphere->profile());
-  scene.place = air_.place();
+  scene.place = air_.place().place();
   scene.solar = solar_;
   if (date_) scene.sun_distance_au = earth_sun_distance_au(*date_);
   return scene;

@@ -13,6 +13,27 @@
 
 namespace skylut::cli {
 
+/// Where on Earth.
+class PlaceOptions {
+ public:
+  /// Adds --latitude, --longitude and --height-m.
+  void add_to(OptionSet& options);
+
+  std::optional<Place> place() const;  ///< @throws InputError  if only a part of a place was given
+  bool has_longitude() const { return longitude_deg_.has_value(); }
+
+ private:
+  std::optional<double> latitude_deg_;
+  std::optional<double> longitude_deg_;
+  std::optional<double> height_m_;
+};
+
+/// Where a sun that is given by its time is seen from.
+struct SunPlace {
+  const PlaceOptions& place;
+  bool has_date = false;  ///< a date was given too
+};
+
 /// The options of the air, its ground and its place.
 class AirOptions {
  public:
@@ -21,16 +42,14 @@ class AirOptions {
   /// What the options say of the atmosphere with a profile. @throws InputError  if only a part of a place was
   /// given
   AtmosphereDescription atmosphere(const std::string& profile) const;
-  std::optional<Place> place() const;  ///< @throws InputError  as atmosphere()
+  const PlaceOptions& place() const { return place_; }
   TurbidityKind turbidity_kind() const { return turbidity_kind_; }
-  bool has_longitude() const { return longitude_deg_.has_value(); }
+  void take_turbidities_as(TurbidityKind kind) { turbidity_kind_ = kind; }
 
  private:
   TurbidityKind turbidity_kind_ = TurbidityKind::aod500;
   AtmosphereDescription description_;  // all but profile and place
-  std::optional<double> latitude_deg_;
-  std::optional<double> longitude_deg_;
-  std::optional<double> height_m_;
+  PlaceOptions place_;
 };
 
 /// The options that every command which simulates skies shares: the profile and its air, the sun's spectrum,
@@ -51,7 +70,10 @@ class SceneOptions {
   bool exact() const { return exact_; }
   Context context() const { return program_context(computing_); }
   const AirOptions& air() const { return air_; }
-  const std::optional<UtcTime>& date() const { return date_; }
+  /// As if --turbidity-kind had been given.
+  void take_turbidities_as(TurbidityKind kind) { air_.take_turbidities_as(kind); }
+  /// What a sun by its time needs to know.
+  SunPlace sun_place() const { return {air_.place(), date_.has_value()}; }
 
  private:
   std::string profile_ = AtmosphereDescription{}.profile;

@@ -40,15 +40,15 @@ void SunOption::require_alone() const {
   refuse((time_ || times_) && suns_, "--suns");
 }
 
-Place SunOption::place_of(const SceneOptions& place) const {
-  if (place.date()) throw InputError("{}: gives the date, must not be given with --date", chosen());
-  const std::optional<Place> where = place.air().place();
-  if (!where || !place.air().has_longitude())
+Place SunOption::place_of(const SunPlace& where) const {
+  if (where.has_date) throw InputError("{}: gives the date, must not be given with --date", chosen());
+  const std::optional<Place> place = where.place.place();
+  if (!place || !where.place.has_longitude())
     throw InputError("{}: needs --latitude and --longitude", chosen());
-  return *where;
+  return *place;
 }
 
-void SunOption::put_into(SkyScene& scene, const SceneOptions& place) {
+void SunOption::put_into(SkyScene& scene, const SunPlace& where) {
   require_alone();
   if (!time_) {
     if (!zenith_deg_)
@@ -58,15 +58,15 @@ void SunOption::put_into(SkyScene& scene, const SceneOptions& place) {
     return;
   }
   const auto& time = std::get<UtcTime>(*time_);
-  scene.suns = {sun_direction(place_of(place), time)};
+  scene.suns = {sun_direction(place_of(where), time)};
   scene.time = format_time(time);
   scene.sun_distance_au = earth_sun_distance_au(time);
 }
 
-SunSeries SunOption::series(const SceneOptions& place, double sun_distance_au) const {
+SunSeries SunOption::series(const SunPlace& where, double sun_distance_au) const {
   require_alone();
   SunSeries series = suns_ ? sun_series(*suns_, sun_distance_au)
-                           : sun_series(place_of(place), times_ ? read_times_csv(*times_)
+                           : sun_series(place_of(where), times_ ? read_times_csv(*times_)
                                                                 : times_of(std::get<TimeSteps>(*time_)));
   if (series.frames.empty())
     throw InputError("{}: {} suns, all more than {} deg from the zenith (night)", chosen(), series.too_dark,

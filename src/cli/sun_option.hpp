@@ -29,11 +29,11 @@ class SunOption {
 
   /// Puts the sun, and with a time its distance, into a scene.
   /// @throws InputError  no sun, two suns, a time without place
-  void put_into(SkyScene& scene, const SceneOptions& place);
+  void put_into(SkyScene& scene, const SunPlace& where);
 
   /// The suns of a series. @param sun_distance_au  of those that are given by their angles
   /// @throws InputError  as put_into(); none of them lights a sky
-  SunSeries series(const SceneOptions& place, double sun_distance_au) const;
+  SunSeries series(const SunPlace& where, double sun_distance_au) const;
 
   /// Refuses a sun that is too low for what is asked of it.
   /// @param limit  "diffuse light ends at 96 deg, use --no-diffuse"
@@ -44,7 +44,7 @@ class SunOption {
   /// As it was typed, unless the sun is given by its angles.
   std::string chosen() const;
   void require_alone() const;
-  Place place_of(const SceneOptions& place) const;
+  Place place_of(const SunPlace& where) const;
 
   std::optional<double> zenith_deg_;
   std::optional<double> azimuth_deg_;

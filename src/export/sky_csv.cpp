@@ -13,7 +13,9 @@ std::string sky_csv(const SkyMap& map, const Provenance& provenance) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "zenith_deg,azimuth_deg,gamma_deg,Y_cd_m2,x,y");
-  for (std::size_t i = 0; i < map.wavelengths.size(); ++i) fmt::format_to(out, ",L_{}", map.wavelengths[i]);
+  const bool spectral = !map.radiance.empty();
+  for (std::size_t i = 0; spectral && i < map.wavelengths.size(); ++i)
+    fmt::format_to(out, ",L_{}", map.wavelengths[i]);
   text.push_back('\n');
   fmt::format_to(out, "# skylut {} sky map: diffuse light, without the solar disc\n", kVersion);
   fmt::format_to(out, "# altitude_km={}\n", map.altitude_km);
@@ -31,7 +33,8 @@ std::string sky_csv(const SkyMap& map, const Provenance& provenance) {
     const double gamma_deg = angle_between(direction, map.sun) * kDegreesPerRadian;
     fmt::format_to(out, "{},{},{},{},{},{}", direction.zenith_deg, direction.azimuth_deg, gamma_deg, colour.Y,
                    colour.x, colour.y);
-    for (const float radiance : map.spectrum(i)) fmt::format_to(out, ",{}", radiance);
+    if (spectral)
+      for (const float radiance : map.spectrum(i)) fmt::format_to(out, ",{}", radiance);
     text.push_back('\n');
   }
   return fmt::to_string(text);

@@ -1,12 +1,14 @@
 #include "skylut/table/table.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/interpolation.hpp"
 #include "skylut/profile/profile.hpp"
 #include "skylut/table/table_csv.hpp"
 #include "table_json_reader.hpp"
@@ -21,6 +23,12 @@ template <class T>
 void append_if_new(std::vector<T>& values, const T& value) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
 }
+
+// Proportional to optical depth but for a constant, and back.
+double straight(double value, TurbidityKind kind) {
+  return kind == TurbidityKind::visibility_km ? 1.0 / value : value;
+}
+double not_straight(double value, TurbidityKind kind) { return straight(value, kind); }
 
 }  // namespace
 
@@ -85,6 +93,31 @@ std::vector<double> Table::turbidities_as(const Context& context, TurbidityKind 
   for (const double value : axes_.turbidities)
     converted.push_back(from_aod500(to_aod500({kind_, value}, air), kind, air));
   return converted;
+}
+
+Turbidity Table::in_own_kind(const Context& context, const Turbidity& turbidity) const {
+  if (turbidity.kind == kind_) return turbidity;
+  if (!provenance_) {
+    const Atmosphere air(context, load_profile(context, "ussa1976"), {});
+    return {kind_, from_aod500(to_aod500(turbidity, air), kind_, air)};
+  }
+  const std::vector<double> others = turbidities_as(context, turbidity.kind);
+  std::map<double, double> own_of;  // by what is proportional to optical depth
+  for (std::size_t i = 0; i < others.size(); ++i)
+    own_of[straight(others[i], turbidity.kind)] = straight(axes_.turbidities[i], kind_);
+  const double value = straight(turbidity.value, turbidity.kind);
+  if (const auto found = own_of.find(value); found != own_of.end())
+    return {kind_, not_straight(found->second, kind_)};
+  if (own_of.size() < 2)
+    throw InputError("turbidity {} ({}): the table has one turbidity only, {} ({}), and converts no other",
+                     turbidity.value, turbidity_kind_name(turbidity.kind), axes_.turbidities.front(),
+                     turbidity_kind_name(kind_));
+  auto above = own_of.upper_bound(value);
+  if (above == own_of.begin()) ++above;
+  if (above == own_of.end()) --above;
+  const auto below = std::prev(above);
+  const double part = (value - below->first) / (above->first - below->first);
+  return {kind_, not_straight(linear(below->second, above->second, part), kind_)};
 }
 
 std::string Table::conversion_source(TurbidityKind kind) const {

@@ -72,6 +72,7 @@ std::string table_json(const SkyTable& table, const Provenance& provenance) {
   file["table_csv"] = {{"file", "table.csv"}, {"sha256", sha256_hex(format_table_csv(table.entries))}};
   file["units"] = units();
   file["fitted_together"] = table.grid;
+  if (!table.between_nodes.empty()) file["between_nodes"] = Json::parse(table.between_nodes);
   Json& rows = file["rows"] = Json::array();
   for (std::size_t i = 0; i < table.entries.size(); ++i)
     rows.push_back(row_json(i + 1, table.entries[i], table.fits[i], table.cost_over_least[i]));

@@ -35,6 +35,14 @@ ListedTurbidity listed_turbidity(const JsonReader& one) {
   return listed;
 }
 
+// A number, or the name and curve of one that varies with the wavelength.
+std::optional<double> ground_albedo(const JsonReader& inputs) {
+  if (!inputs.has("air") || !inputs.at("air").has("ground_albedo")) return {};
+  const JsonReader albedo = inputs.at("air").at("ground_albedo");
+  if (!albedo.value().is_number()) return {};
+  return albedo.number();
+}
+
 }  // namespace
 
 std::optional<TableManifest> read_table_json(const fs::path& json, const fs::path& csv) {
@@ -44,9 +52,12 @@ std::optional<TableManifest> read_table_json(const fs::path& json, const fs::pat
     throw InputError("{}: must be the table.json of skylut table", json.string());
   if (!belongs(file, csv)) return {};
   TableManifest manifest;
-  manifest.provenance = {.skylut_version = file.at("skylut_version").text(),
-                         .command = file.at("command").text(),
-                         .inputs = file.at("inputs").value().dump()};
+  manifest.provenance = {
+      .skylut_version = file.at("skylut_version").text(),
+      .command = file.at("command").text(),
+      .inputs = file.at("inputs").value().dump(),
+      .ground_albedo = ground_albedo(file.at("inputs")),
+      .between_nodes = file.has("between_nodes") ? file.at("between_nodes").value().dump() : ""};
   for (const JsonReader& one : file.at("inputs").at("turbidities").elements()) {
     manifest.turbidities.push_back(listed_turbidity(one));
     manifest.turbidity_kind = parse_turbidity_kind(one.at("kind").text());

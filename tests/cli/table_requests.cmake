@@ -74,3 +74,7 @@ skylut_refuses(table_value_missing 2 "--weights: its value is missing before --s
 skylut_refuses(table_quality_misspelt 2 "--quality 'refrence': must be .* did you mean reference" table --out out --quality refrence)
 skylut_refuses(table_beyond_memory 2 "--wavelengths-nm: 7001 values: needs about .* GB of memory, 0.9[0-9]* GB may be used here: at most [0-9]+ fit"
   table --out out --wavelengths-nm 300:1000:0.1 MEMORY_KB 1000000)
+skylut_refuses(table_grid_unknown 2 "--grid 'run'.*utm2005, preetham or runtime|--grid 'run'.*runtime" table --out out
+  --grid run)
+skylut_refuses(table_grid_of_another_kind 2 "--turbidity-kind aod500: the turbidities of --grid preetham are preetham-t"
+  table --out out --grid preetham --turbidity-kind aod500)

@@ -40,4 +40,11 @@ class PerezSky final : public Sky {
   double horizon_zenith_deg_;
 };
 
+/// The zenith angle that a Perez formula is given for a view.
+/// @param horizon_zenith_deg  as PerezSky's
+/// @param largest_B           of the formulas
+/// @throws InputError  for a view that they have nothing for: beyond their horizon, or at it where a B is not
+/// below 0
+double perez_zenith_deg(const Direction& view, double horizon_zenith_deg, double largest_B);
+
 }  // namespace skylut

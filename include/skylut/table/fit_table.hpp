@@ -22,7 +22,8 @@ struct SkyTable {
   /// [row], of Y, x, y: what continuing the neighbours cost, the fit's cost over that of its best minimum,
   /// less 1.
   std::vector<std::array<double, 3>> cost_over_least;
-  std::string grid;  ///< in words, what was looked at together to choose between equally good minima
+  std::string grid;           ///< in words, what was looked at together to choose between equally good minima
+  std::string between_nodes;  ///< JSON text of between_nodes_json(); empty: not measured
 };
 
 struct TableFitOptions {

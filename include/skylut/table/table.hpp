@@ -25,6 +25,8 @@ struct TableProvenance {
   std::string skylut_version;
   std::string command;  ///< that makes the table again
   std::string inputs;   ///< JSON text of every number that went into it; empty if there is none
+  std::optional<double> ground_albedo;  ///< that it was made with; none if it varies with the wavelength
+  std::string between_nodes;  ///< JSON text of what it states of its error between its rows; empty: nothing
 };
 
 /// A turbidity of the table in every kind that table.json lists, for the table's own air.
@@ -58,6 +60,12 @@ class Table {
   /// 1976 standard atmosphere with the haze of AerosolOptics{}.
   /// @throws InputError  if table.json lacks one; as to_aod500
   std::vector<double> turbidities_as(const Context& context, TurbidityKind kind) const;
+
+  /// Any turbidity in the table's kind: as table.json converts the table's own, straight between and beyond
+  /// them in optical depth, which every kind is proportional to (visibility inversely) but for a constant;
+  /// else as turbidities_as.
+  /// @throws InputError  as turbidities_as; if a table.json of one turbidity would have to convert others
+  Turbidity in_own_kind(const Context& context, const Turbidity& turbidity) const;
 
   /// Where turbidities_as takes its numbers from, for a heading.
   std::string conversion_source(TurbidityKind kind) const;

@@ -50,6 +50,14 @@ TEST(SkyCsv, NumbersReadBackExactly) {
   EXPECT_EQ(std::strtof(fields[12].c_str(), nullptr), map.spectrum(1)[6]);
 }
 
+TEST(SkyCsv, AMapWithoutRadiancesHasNoColumnsOfThem) {
+  SkyMap map = made_up_map({{12.5, 0.5}});
+  map.radiance.clear();
+  const std::string text = sky_csv(map, Provenance("skylut eval"));
+  EXPECT_EQ(text.substr(0, text.find('\n')), "zenith_deg,azimuth_deg,gamma_deg,Y_cd_m2,x,y");
+  EXPECT_EQ(text.substr(text.rfind('\n', text.size() - 2) + 1, 9), "12.5,0.5,");
+}
+
 TEST(SkyCsv, DoesNotDependOnTheLocale) {
   const SkyMap map = made_up_map({{12.5, 0.5}});
   const std::string before = sky_csv(map, Provenance("skylut map"));
