@@ -10,6 +10,8 @@ namespace skylut {
 
 namespace {
 
+constexpr int kFittingSpiral = 240;
+
 /// A ring around the sun, and the annulus for which it stands.
 struct Ring {
   double radius_deg;
@@ -66,9 +68,14 @@ DomeViews dome(const Direction& sun, int spiral, double turn_deg, std::span<cons
 
 }  // namespace
 
+double fit_weight(const DomeViews& dome, std::size_t view) {
+  constexpr double kLeast_sr = 0.1 * 2.0 * kPi / kFittingSpiral;
+  return std::max(dome.solid_angle[view], kLeast_sr);
+}
+
 DomeViews fitting_views(const Direction& sun) {
   constexpr Ring kRings[] = {{0.75, 0.3, 1.1}, {1.5, 1.1, 2.2}, {3.0, 2.2, 3.75}, {4.75, 3.75, 6.0}};
-  return dome(sun, 240, 0.0, kRings);
+  return dome(sun, kFittingSpiral, 0.0, kRings);
 }
 
 DomeViews checking_views(const Direction& sun) {

@@ -15,6 +15,13 @@ namespace skylut::forms_detail {
 
 namespace {
 
+constexpr int kSteps = 40;       // of Levenberg-Marquardt, on the way
+constexpr int kLastSteps = 150;  // of the degree that was asked for
+
+double rms_of(double cost, std::size_t samples) {
+  return std::sqrt(2.0 * cost / static_cast<double>(samples));
+}
+
 /// Ceres' view of a formula, samples and a degree: one block of residuals in all control points.
 class CurveResiduals final : public ceres::CostFunction {
  public:
@@ -174,10 +181,18 @@ std::vector<double> FormulaCurves::at(double along) const {
   return coefficients;
 }
 
+FormulaCurves better_of(const SkyFormula& formula, std::span<const FormulaSample> samples,
+                        const FormulaCurves& known, const FormulaCurves& start) {
+  const CurveResiduals residuals(formula, samples, start.degree);
+  FormulaCurves found = start;
+  found.iterations = known.iterations +
+                     descend(residuals, formula.bounds(), start.degree + 1, kLastSteps, 1e-7, found.points);
+  found.rms = rms_of(cost_of(residuals, found.points), samples.size());
+  return found.rms < known.rms ? found : known;
+}
+
 FormulaCurves fit_formula(const SkyFormula& formula, std::span<const FormulaSample> samples,
                           std::size_t degree, const FormulaCurves* near) {
-  constexpr int kSteps = 40;       // on the way
-  constexpr int kLastSteps = 150;  // of the degree that was asked for
   FormulaCurves curves;
   curves.degree = degree;
   const std::vector<CoefficientBounds> bounds = formula.bounds();
@@ -206,7 +221,7 @@ FormulaCurves fit_formula(const SkyFormula& formula, std::span<const FormulaSamp
     if (beside.first <= kAsGood * runs.front().first) runs.front() = std::move(beside);
   }
   curves.points = std::move(runs.front().second);
-  curves.rms = std::sqrt(2.0 * runs.front().first / static_cast<double>(samples.size()));
+  curves.rms = rms_of(runs.front().first, samples.size());
   return curves;
 }
 

@@ -40,4 +40,8 @@ struct FormulaCurves {
 FormulaCurves fit_formula(const SkyFormula& formula, std::span<const FormulaSample> samples,
                           std::size_t degree, const FormulaCurves* near = nullptr);
 
+/// The better of some curves and of where a search from others ends: the same samples, the same degree.
+FormulaCurves better_of(const SkyFormula& formula, std::span<const FormulaSample> samples,
+                        const FormulaCurves& known, const FormulaCurves& start);
+
 }  // namespace skylut::forms_detail

@@ -16,6 +16,7 @@ namespace skylut {
 namespace {
 
 using forms_detail::band_channels;
+using forms_detail::better_of;
 using forms_detail::channel_values;
 using forms_detail::fit_formula;
 using forms_detail::FormulaCurves;
@@ -81,30 +82,69 @@ std::vector<FormulaSample> samples_of(const Training& training, std::size_t chan
                          .along = along,
                          .scale = scale,
                          .target = value,
-                         .weight = std::sqrt(sky.dome.solid_angle[i]) / value});
+                         .weight = std::sqrt(fit_weight(sky.dome, i)) / value});
     }
   }
   return samples;
 }
 
-// All channels of one node, the middle one first and the others from their neighbours' curves.
-void fit_node(const Training& training, std::span<Curves> curves) {
-  const std::size_t middle = curves.size() / 2;
-  std::vector<FormulaCurves> fitted(curves.size());
+/// The curves of all channels of one node.
+struct NodeFit {
+  std::vector<Curves::Curve> mean;
+  std::vector<FormulaCurves> formula;
+};
+
+// The middle channel first and the others from their neighbours' curves.
+NodeFit fitted_node(const Training& training, std::size_t channels) {
+  NodeFit node{{}, std::vector<FormulaCurves>(channels)};
+  for (std::size_t channel = 0; channel < channels; ++channel)
+    node.mean.push_back(mean_curve(training, channels, channel));
   const auto fit = [&](std::size_t channel, const FormulaCurves* near) {
-    Curves& result = curves[channel];
-    result.mean = mean_curve(training, curves.size(), channel);
-    fitted[channel] =
-        fit_formula(HosekWilkieFormula(), samples_of(training, curves.size(), channel, result.mean),
+    node.formula[channel] =
+        fit_formula(HosekWilkieFormula(), samples_of(training, channels, channel, node.mean[channel]),
                     Curves::kDegree, near);
-    for (std::size_t i = 0; i < result.coefficients.size(); ++i)
-      std::copy_n(fitted[channel].points.begin() + static_cast<std::ptrdiff_t>(i * result.mean.size()),
-                  result.mean.size(), result.coefficients[i].begin());
   };
+  const std::size_t middle = channels / 2;
   fit(middle, nullptr);
-  for (std::size_t channel = middle; channel-- > 0;) fit(channel, &fitted[channel + 1]);
-  for (std::size_t channel = middle + 1; channel < curves.size(); ++channel)
-    fit(channel, &fitted[channel - 1]);
+  for (std::size_t channel = middle; channel-- > 0;) fit(channel, &node.formula[channel + 1]);
+  for (std::size_t channel = middle + 1; channel < channels; ++channel)
+    fit(channel, &node.formula[channel - 1]);
+  return node;
+}
+
+// A node's channels again, from the curves that the neighbouring load's have: what was lost in a minor
+// minimum comes out of it.
+void refine(const Training& training, const NodeFit& neighbour, NodeFit& node) {
+  for (std::size_t channel = 0; channel < node.formula.size(); ++channel)
+    node.formula[channel] = better_of(HosekWilkieFormula(),
+                                      samples_of(training, node.formula.size(), channel, node.mean[channel]),
+                                      node.formula[channel], neighbour.formula[channel]);
+}
+
+Curves curves_of(const NodeFit& node, std::size_t channel) {
+  Curves curves;
+  curves.mean = node.mean[channel];
+  for (std::size_t i = 0; i < curves.coefficients.size(); ++i)
+    std::copy_n(node.formula[channel].points.begin() + static_cast<std::ptrdiff_t>(i * curves.mean.size()),
+                curves.mean.size(), curves.coefficients[i].begin());
+  return curves;
+}
+
+/// Every node alone, then beside its neighbours in turbidity as they were.
+std::vector<NodeFit> fitted_nodes(const Context& context, std::span<const Training> training,
+                                  const HosekWilkieGrid& grid) {
+  const std::size_t channels = grid.channels.size();
+  std::vector<NodeFit> alone(training.size());
+  parallel_for(training.size(), context.threads,
+               [&](std::size_t node) { alone[node] = fitted_node(training[node], channels); });
+  std::vector<NodeFit> nodes = alone;
+  const std::size_t stride = grid.albedos.size();
+  parallel_for(training.size(), context.threads, [&](std::size_t node) {
+    const std::size_t turbidity = node / stride % grid.turbidities.size();
+    if (turbidity > 0) refine(training[node], alone[node - stride], nodes[node]);
+    if (turbidity + 1 < grid.turbidities.size()) refine(training[node], alone[node + stride], nodes[node]);
+  });
+  return nodes;
 }
 
 std::vector<SoughtSky> requests_of(const SkyAxes& axes, const std::vector<double>& albedos) {
@@ -150,11 +190,9 @@ ModelFile HosekWilkieForm::fit(const Context& context, const SkySupply& supply,
     for (const TrainingSky& sky : node.skies)
       node.values.push_back(channel_values(sky, grid.channels, supply.wavelengths()));
   }
-  const std::size_t channels = grid.channels.size();
-  grid.curves.resize(training.size() * channels);
-  parallel_for(training.size(), context.threads, [&](std::size_t node) {
-    fit_node(training[node], std::span(grid.curves).subspan(node * channels, channels));
-  });
+  for (const NodeFit& node : fitted_nodes(context, training, grid))
+    for (std::size_t channel = 0; channel < grid.channels.size(); ++channel)
+      grid.curves.push_back(curves_of(node, channel));
   return {.form = name(),
           .info = info_of(grid, axes.turbidity_kind),
           .error = {},

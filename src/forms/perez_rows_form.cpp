@@ -39,7 +39,7 @@ PerezRow fitted_row(const TrainingSky& sky, const SkyChannels& channels, const W
     for (std::size_t i = 0; i < sky.dome.views.size(); ++i)
       samples.push_back({sky.dome.views[i].zenith_deg * kRadiansPerDegree,
                          angle_between(sky.dome.views[i], sky.conditions.sun),
-                         values[i * channels.size() + channel], sky.dome.solid_angle[i]});
+                         values[i * channels.size() + channel], fit_weight(sky.dome, i)});
     FitOptions options;
     options.residual = channels.is_light(channel) ? ResidualKind::relative : ResidualKind::absolute;
     const double zenith_value = values[zenith * channels.size() + channel];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "skylut/core/directions.hpp"
@@ -11,6 +12,10 @@ struct DomeViews {
   std::vector<Direction> views;
   std::vector<double> solid_angle;  ///< sr, [view]; those of a whole dome sum to 2π
 };
+
+/// What a direction counts in a fit: its solid angle, but in the rings around the sun a tenth of the others'
+/// at least. By solid angle alone the aureole, small as it is, would be left to itself.
+double fit_weight(const DomeViews& dome, std::size_t view);
 
 /// Directions that leave little of a dome unseen: the zenith; points of a spiral of equal solid angles, on
 /// one side of the sun's vertical plane, whose lowest lies 0.1° above the horizon; and rings around the sun,
