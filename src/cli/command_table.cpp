@@ -16,6 +16,7 @@
 #include "options/light_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
+#include "recorded_table.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/suggestion.hpp"
@@ -215,10 +216,8 @@ void run(const TableOptions& options, const std::string& command_line) {
   require_converged(table);
 }
 
-}  // namespace
-
-Command table_command() {
-  const auto options = std::make_shared<TableOptions>();
+// The command but for what it does.
+Command declared(const std::shared_ptr<TableOptions>& options) {
   Command command;
   command.name = "table";
   command.summary = "simulate skies and fit them: the coefficient table";
@@ -254,6 +253,14 @@ Command table_command() {
                "also write each row's sky, DIR/maps/entry_001.csv ..., in the report's 271 directions, or in "
                "those of --directions");
   options->scene.add_to(set);
+  return command;
+}
+
+}  // namespace
+
+Command table_command() {
+  const auto options = std::make_shared<TableOptions>();
+  Command command = declared(options);
   command.run = [options](const OptionSet& given) {
     // Settled first, so that they are recorded.
     if (!options->weights)
@@ -262,6 +269,21 @@ Command table_command() {
     run(*options, given.command_line("skylut table"));
   };
   return command;
+}
+
+RecordedTable recorded_table(const Context& context, const std::string& command_line) {
+  const auto options = std::make_shared<TableOptions>();
+  Command program;
+  program.name = "skylut";
+  program.subcommands.push_back(declared(options));
+  Command& table = program.subcommands.front();
+  for (Option& option : table.options.all()) option.required = false;  // --out is not recorded
+  table.run = [options](const OptionSet& given) { settle_grid(*options, given); };
+  const std::vector<std::string> words = shell_words(command_line);
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  run_command_line(program, static_cast<int>(arguments.size()), arguments.data());
+  return {scene_of(context, *options), std::shared_ptr<const SceneOptions>(options, &options->scene)};
 }
 
 }  // namespace skylut::cli

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <fstream>
-#include <span>
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/json_reader.hpp"
+#include "skylut/models/hosek_wilkie_model.hpp"
+#include "skylut/models/perez_rows_model.hpp"
+#include "skylut/models/preetham_model.hpp"
 
 namespace skylut {
 
@@ -24,7 +27,9 @@ struct FormReader {
 };
 
 // A new form is one line here.
-constexpr std::span<const FormReader> readers() { return {}; }
+constexpr std::array kReaders{
+    FormReader{"perez", PerezRowsModel::read}, FormReader{"perez-spectral", PerezRowsModel::read},
+    FormReader{"preetham", PreethamModel::read}, FormReader{"hosek-wilkie", HosekWilkieModel::read}};
 
 ordered_json range_json(const Range& range) { return {range.lowest, range.highest}; }
 
@@ -73,9 +78,15 @@ std::string model_file_json(const ModelFile& file, const Provenance& provenance)
   return json.dump(1) + '\n';
 }
 
+std::unique_ptr<const SkyModel> make_model(const ModelFile& file) {
+  for (const FormReader& reader : kReaders)
+    if (file.form == reader.form) return reader.read(file.info, JsonReader(file.model, file.form));
+  throw InputError("form '{}': must be one of {}", file.form, fmt::join(model_forms(), ", "));
+}
+
 std::vector<std::string> model_forms() {
   std::vector<std::string> names;
-  for (const FormReader& reader : readers()) names.emplace_back(reader.form);
+  for (const FormReader& reader : kReaders) names.emplace_back(reader.form);
   return names;
 }
 
@@ -93,7 +104,7 @@ std::unique_ptr<const SkyModel> read_model_file(const std::filesystem::path& pat
   if (!file.has("format") || file.at("format").text() != kFormat)
     file.refuse("must be a model file, as skylut fit --form writes it");
   const std::string form = file.at("form").text();
-  for (const FormReader& reader : readers())
+  for (const FormReader& reader : kReaders)
     if (form == reader.form) return reader.read(read_info(file, path.string()), file.at("model"));
   throw InputError("{}: form '{}': must be one of {}", path.string(), form, fmt::join(model_forms(), ", "));
 }

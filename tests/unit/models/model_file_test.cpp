@@ -8,7 +8,10 @@ namespace skylut {
 namespace {
 
 TEST(ModelFile, StatesItsDomainAndWhatItIs) {
-  ModelFile file{.form = "perez", .info = {}, .error = {{"rms", 0.5}}, .model = {{"A", 1.0}}};
+  ModelFile file;
+  file.form = "perez";
+  file.error["rms"] = 0.5;
+  file.model["A"] = 1.0;
   file.info.altitude_km = {0.0, 30.0, "km"};
   file.info.albedo = {0.0, 1.0, ""};
   const auto json = nlohmann::ordered_json::parse(model_file_json(file, Provenance("skylut fit")));
