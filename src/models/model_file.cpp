@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <fstream>
-#include <span>
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/json_reader.hpp"
+#include "skylut/models/compact_sky.hpp"
 
 namespace skylut {
 
@@ -24,7 +24,7 @@ struct FormReader {
 };
 
 // A new form is one line here.
-constexpr std::span<const FormReader> readers() { return {}; }
+constexpr FormReader kReaders[] = {{"skylut", CompactSkyModel::read}};
 
 ordered_json range_json(const Range& range) { return {range.lowest, range.highest}; }
 
@@ -75,7 +75,7 @@ std::string model_file_json(const ModelFile& file, const Provenance& provenance)
 
 std::vector<std::string> model_forms() {
   std::vector<std::string> names;
-  for (const FormReader& reader : readers()) names.emplace_back(reader.form);
+  for (const FormReader& reader : kReaders) names.emplace_back(reader.form);
   return names;
 }
 
@@ -93,7 +93,7 @@ std::unique_ptr<const SkyModel> read_model_file(const std::filesystem::path& pat
   if (!file.has("format") || file.at("format").text() != kFormat)
     file.refuse("must be a model file, as skylut fit --form writes it");
   const std::string form = file.at("form").text();
-  for (const FormReader& reader : readers())
+  for (const FormReader& reader : kReaders)
     if (form == reader.form) return reader.read(read_info(file, path.string()), file.at("model"));
   throw InputError("{}: form '{}': must be one of {}", path.string(), form, fmt::join(model_forms(), ", "));
 }
