@@ -30,8 +30,8 @@ constexpr double kLoadFactor = 1.62;
 /// Close where haze lies and where the sun sets; chosen by what halving each did to held-out skies.
 Nodes nodes_of(double least_aod500, double most_aod500) {
   Nodes nodes;
-  nodes.altitudes_km = {0.0, 0.5, 1.0, 1.5, 2.0, 2.75, 3.5, 4.5, 6.0, 8.0, 10.0, 12.0, 14.5, 17.0, 20.0, 23.0, 26.5,
-                        30.0};
+  nodes.altitudes_km = {0.0, 0.5,  1.0,  1.5,  2.0,  2.75, 3.5,  4.5,  6.0,
+                        8.0, 10.0, 12.0, 14.5, 17.0, 20.0, 23.0, 26.5, 30.0};
   nodes.suns_deg = {0.0,  15.0, 30.0, 42.0, 54.0, 64.0, 71.0, 76.0, 79.5, 82.0, 84.0, 85.5, 87.0, 88.0, 89.0,
                     89.5, 90.0, 90.5, 91.0, 91.5, 92.0, 92.5, 93.0, 93.5, 94.0, 94.5, 95.0, 95.5, 96.0};
   const double offset = 0.01;
@@ -40,7 +40,8 @@ Nodes nodes_of(double least_aod500, double most_aod500) {
   nodes.aod500 = {0.0};
   for (int i = 0; i <= steps; ++i)
     nodes.aod500.push_back(least_aod500 - offset +
-                           offset * std::pow((most_aod500 - least_aod500 + offset) / offset, i / double(steps)));
+                           offset *
+                               std::pow((most_aod500 - least_aod500 + offset) / offset, i / double(steps)));
   nodes.aod500.back() = most_aod500;
   nodes.aod500[1] = least_aod500;
   return nodes;
@@ -68,8 +69,8 @@ ModelFile fit_compact_sky(const Context& context, const SkyScene& scene, const C
   const AerosolShape& shape = scene.atmosphere->aerosol().shape;
   const double least = shape.stratospheric_aod500 > 0.0 ? shape.stratospheric_aod500 : kLeastAod;
   const TrainingSpectrum spectrum(context, scene, options.bands ? &*options.bands : nullptr, transfer);
-  const TrainingFields fields = training_fields(context, scene, spectrum, nodes_of(least, options.most_aod500),
-                                                kZenithNodes, kHazeTerms, transfer);
+  const TrainingFields fields = training_fields(
+      context, scene, spectrum, nodes_of(least, options.most_aod500), kZenithNodes, kHazeTerms, transfer);
   Tables tables;
   tables.nodes = fields.nodes;
   tables.planet_radius_km = fields.planet_radius_km;

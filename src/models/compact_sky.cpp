@@ -9,6 +9,7 @@
 
 #include "compact/expansion.hpp"
 #include "compact/fast_exp.hpp"
+#include "compact/weighted_rows.hpp"
 #include "skylut/core/check.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
@@ -21,6 +22,7 @@ using compact::Expansion;
 using compact::fast_exp;
 using compact::Layout;
 using compact::SplineTaps;
+using compact::weighted_rows;
 
 /// Below this share of the sky's brightness nothing falls, whatever the table says.
 constexpr float kDarkest = 1e-3f;
@@ -39,31 +41,31 @@ struct View {
 class Synthesis {
  public:
   Synthesis(const Expansion& expansion, double aod500)
-      : layout_(expansion.layout()),
+      : expansion_(expansion),
+        layout_(expansion.layout()),
         tables_(expansion.tables()),
         load_(static_cast<float>(std::max(aod500, kLeastLoad))),
-        row_(layout_.size()),
-        sum_(layout_.fields()),
-        haze_(layout_.terms()),
-        powers_(3 * layout_.channels()) {
-    const std::size_t channels = layout_.channels();
-    for (std::size_t c = 0; c < channels; ++c) {
-      rayleigh_90_.push_back(static_cast<float>(tables_.rayleigh_90[c]));
-      rayleigh_rise_.push_back(static_cast<float>(tables_.rayleigh_0[c] - tables_.rayleigh_90[c]));
-    }
-    inverse_mean_ = static_cast<float>(1.0 / tables_.haze_mean);
+        inverse_mean_(static_cast<float>(1.0 / tables_.haze_mean)),
+        scratch_(layout_.size() + layout_.fields() + layout_.terms() + 3 * layout_.channels()) {
+    std::span<float> left(scratch_);
+    const auto take = [&left](std::size_t count) {
+      const std::span<float> taken = left.first(count);
+      left = left.subspan(count);
+      return taken;
+    };
+    row_ = take(layout_.size());
+    sum_ = take(layout_.fields());
+    haze_ = take(layout_.terms());
+    powers_ = take(3 * layout_.channels());
   }
+  Synthesis(const Synthesis&) = delete;
+  Synthesis& operator=(const Synthesis&) = delete;
 
   /// The zenith angle from now on.
   void look_at(std::span<const float> features, const SplineTaps& taps) {
-    const std::size_t numbers = layout_.size();
-    const float* from = features.data() + taps.first * numbers;
-    const auto w0 = static_cast<float>(taps.weight[0]);
-    const auto w1 = static_cast<float>(taps.weight[1]);
-    const auto w2 = static_cast<float>(taps.weight[2]);
-    const auto w3 = static_cast<float>(taps.weight[3]);
-    for (std::size_t i = 0; i < numbers; ++i)
-      row_[i] = w0 * from[i] + w1 * from[numbers + i] + w2 * from[2 * numbers + i] + w3 * from[3 * numbers + i];
+    float weight[4];
+    std::copy_n(taps.weight, 4, weight);
+    weighted_rows(weight, features.data() + taps.first * layout_.size(), row_);
   }
 
   /// @param radiance  [channel]
@@ -76,10 +78,12 @@ class Synthesis {
       const bool first = c == Layout::kY;
       powers_[c] = sum_[0] + (first ? 0.0f : sum_[layout_.ratio(Layout::other(c))]);
       powers_[channels + c] = sum_[layout_.haze(c)];
-      powers_[2 * channels + c] = row_[0] + (first ? 0.0f : row_[layout_.ratio(Layout::other(c))]) +
-                                  row_[layout_.ground(c)];
+      powers_[2 * channels + c] =
+          row_[0] + (first ? 0.0f : row_[layout_.ratio(Layout::other(c))]) + row_[layout_.ground(c)];
     }
     for (float& power : powers_) power = fast_exp(power);
+    const std::span<const float> rayleigh_90 = expansion_.rayleigh_90();
+    const std::span<const float> rayleigh_rise = expansion_.rayleigh_rise();
     const float polar = view.cos_scattering * view.cos_scattering;
     constexpr auto kFloor = static_cast<float>(Layout::kFloor);
     for (std::size_t c = 0; c < channels; ++c) {
@@ -92,7 +96,7 @@ class Synthesis {
       const std::size_t g = layout_.ground(c);
       const float mean_ground = powers_[2 * channels + c];
       const float ground = mean_ground * (1.0f + sum_[g] - row_[g]);
-      const float value = (rayleigh_90_[c] + rayleigh_rise_[c] * polar) * molecules +
+      const float value = (rayleigh_90[c] + rayleigh_rise[c] * polar) * molecules +
                           (haze_[0] * haze + terms * (haze + kFloor * unit)) * inverse_mean_ +
                           (brightness - molecules - haze - kUsualAlbedo * mean_ground) +
                           ground_share[c] * ground;
@@ -125,16 +129,16 @@ class Synthesis {
     for (std::size_t k = 0; k < terms; ++k) haze_[k] = from[k] + t * (from[terms + k] - from[k]);
   }
 
-  Layout layout_;
+  const Expansion& expansion_;
+  const Layout& layout_;
   const compact::Tables& tables_;
   float load_;
   float inverse_mean_;
-  std::vector<float> rayleigh_90_;
-  std::vector<float> rayleigh_rise_;
-  std::vector<float> row_;     // [number], at one zenith angle
-  std::vector<float> sum_;     // [field], in one direction
-  std::vector<float> haze_;    // u_k
-  std::vector<float> powers_;  // [3][channel]
+  std::vector<float> scratch_;  // of all that follow
+  std::span<float> row_;        // [number], at one zenith angle
+  std::span<float> sum_;        // [field], in one direction
+  std::span<float> haze_;       // u_k
+  std::span<float> powers_;     // [3][channel]
 };
 
 class CompactSky final : public Sky {
@@ -221,7 +225,8 @@ std::unique_ptr<const SkyModel> CompactSkyModel::read(const ModelInfo& info, con
 std::unique_ptr<const Sky> CompactSkyModel::at(const SkyConditions& conditions) const {
   if (conditions.turbidity.kind != info_.turbidity_kind)
     throw InputError("{}: turbidity of kind {}: must be {}", info_.name,
-                     turbidity_kind_name(conditions.turbidity.kind), turbidity_kind_name(info_.turbidity_kind));
+                     turbidity_kind_name(conditions.turbidity.kind),
+                     turbidity_kind_name(info_.turbidity_kind));
   require_within("altitude", conditions.altitude_km, info_.altitude_km);
   require_within("aod500", conditions.turbidity.value, info_.turbidity);
   require_within("ground albedo", conditions.albedo, *info_.albedo);

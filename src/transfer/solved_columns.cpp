@@ -183,8 +183,8 @@ void SolvedColumns::radiance_parts(const SightFan& fan, std::span<float> parts) 
   // Runs of suns in one band are asked together.
   for (std::size_t first = 0, last; first < fan.sun_zenith_deg.size(); first = last) {
     const auto question = [&](std::size_t sun) {
-      return solution_->question({fan.observer_altitude_km, fan.view_zenith_deg, fan.sun_zenith_deg[sun],
-                                  fan.relative_azimuth_deg});
+      return solution_->question(
+          {fan.observer_altitude_km, fan.view_zenith_deg, fan.sun_zenith_deg[sun], fan.relative_azimuth_deg});
     };
     auto [band, asked] = question(first);
     for (last = first + 1; last < fan.sun_zenith_deg.size(); ++last) {

@@ -19,8 +19,8 @@ struct CompactFormOptions {
   std::size_t held_out = 24;            ///< skies at which the error is measured that the file states
 };
 
-/// Makes the form `skylut` from an atmosphere: skies at all altitudes from 0 to 30 km, loads, albedos and suns
-/// from 0 to 96°. [docs/models.md]
+/// Makes the form `skylut` from an atmosphere: skies at all altitudes from 0 to 30 km, loads, albedos and
+/// suns from 0 to 96°. [docs/models.md]
 /// @param scene  its atmosphere, solar spectrum and wavelengths; altitudes, turbidities, suns are the form's
 /// @throws InputError  for options out of range
 /// @throws Cancelled   when the context asks to stop

@@ -69,8 +69,8 @@ void FeatureEncoder::encode(const SkyRow& row, double aod500, std::span<float> f
     features[layout_.at(0, g)] =
         static_cast<float>(std::log(ground(0, c) * std::exp(-log_mean) + kLeastGround));
     for (std::size_t m = 1; m < layout_.orders(g); ++m)
-      features[layout_.at(m, g)] = static_cast<float>(ground(static_cast<Eigen::Index>(m), c) /
-                                                      std::max(ground(0, c), 1e-300));
+      features[layout_.at(m, g)] =
+          static_cast<float>(ground(static_cast<Eigen::Index>(m), c) / std::max(ground(0, c), 1e-300));
   }
 }
 

@@ -10,10 +10,10 @@
 namespace skylut::compact {
 
 /// What a sky is at one zenith angle under one sun, in the channels' units, before it is written as features:
-/// values at azimuths kπ/8 (light of the ground: kπ/4).
+/// values at azimuths kπ/8 (light of the ground: kπ/2).
 struct SkyRow {
   static constexpr std::size_t kAzimuths = Layout::kOrders;
-  static constexpr std::size_t kGroundAzimuths = 5;
+  static constexpr std::size_t kGroundAzimuths = 3;
   Eigen::MatrixXd molecules;          ///< (azimuth, channel)
   std::vector<Eigen::MatrixXd> haze;  ///< [k] the same
   Eigen::MatrixXd diffuse;            ///< over a black ground

@@ -36,8 +36,8 @@ HazeTerms::HazeTerms(const SolvedColumns& columns, const Eigen::MatrixXd& bright
     for (std::size_t column = 0; column < columns.columns(); ++column) {
       columns.part_factors(column, std::cos(angle(static_cast<std::size_t>(i))), factors);
       for (std::size_t w = 0; w < wanted.size(); ++w) {
-        const double value =
-            factors[wanted[w]] * brightness(static_cast<Eigen::Index>(column), static_cast<Eigen::Index>(wanted[w]));
+        const double value = factors[wanted[w]] * brightness(static_cast<Eigen::Index>(column),
+                                                             static_cast<Eigen::Index>(wanted[w]));
         bright(i, static_cast<Eigen::Index>(column * wanted.size() + w)) = value;
         if (wanted[w] < scatterers) whole(i) += value;
       }

@@ -25,7 +25,8 @@ struct SunClass {
   double lowest_deg;
   double highest_deg;
 };
-constexpr SunClass kClasses[] = {{"sun_0_90", 0.0, 90.0}, {"sun_90_92", 90.0, 92.0}, {"sun_92_96", 92.0, 96.0}};
+constexpr SunClass kClasses[] = {
+    {"sun_0_90", 0.0, 90.0}, {"sun_90_92", 90.0, 92.0}, {"sun_92_96", 92.0, 96.0}};
 
 /// Van der Corput's sequence: the i-th number of a low-discrepancy set, one base per axis.
 double low_discrepancy(std::size_t i, std::size_t base) {
@@ -38,7 +39,9 @@ double low_discrepancy(std::size_t i, std::size_t base) {
   return value;
 }
 
-double within(const Range& range, double share) { return range.lowest + share * (range.highest - range.lowest); }
+double within(const Range& range, double share) {
+  return range.lowest + share * (range.highest - range.lowest);
+}
 
 /// Every other sky has its sun in the last tenth of the range, where skies change most; every fourth haze is
 /// thin and every fourth observer low.
@@ -96,7 +99,8 @@ class Reference {
     parallel_for(views.size(), context_.threads, [&](std::size_t i) {
       const std::array azimuth_deg{views[i].azimuth_deg};
       std::vector<float> radiance(sky.columns());
-      sky.radiance({conditions.altitude_km, views[i].zenith_deg, conditions.sun.zenith_deg, azimuth_deg}, radiance);
+      sky.radiance({conditions.altitude_km, views[i].zenith_deg, conditions.sun.zenith_deg, azimuth_deg},
+                   radiance);
       colours[i] = to_yxy(weighted_sum<float>(weights, radiance));
     });
     return colours;

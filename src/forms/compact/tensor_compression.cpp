@@ -2,11 +2,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 #include <span>
 
-#include "skylut/models/compact/coordinates.hpp"
 #include "skylut/core/check.hpp"
+#include "skylut/models/compact/coordinates.hpp"
 
 namespace skylut::compact {
 
@@ -16,7 +18,9 @@ using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMa
 
 /// Share of the squared tolerance that the four axes may leave out, each a quarter of it, and rounding.
 constexpr double kAxesShare = 0.3;
-constexpr double kRoundingShare = 0.1;
+constexpr double kRoundingShare = 0.2;
+/// Columns of the first sketch; doubled where they do not suffice.
+constexpr Eigen::Index kFirstSketch = 256;
 /// Views onto the ground count less than the sky.
 constexpr double kGroundWeight = 0.5;
 
@@ -24,18 +28,27 @@ constexpr double kGroundWeight = 0.5;
 std::vector<float> number_weights(const Layout& layout) {
   std::vector<float> weights(layout.size(), 0.0f);
   const auto set = [&](std::size_t field, double weight) {
-    for (std::size_t m = 0; m < layout.orders(field); ++m) weights[layout.at(m, field)] = static_cast<float>(weight);
+    for (std::size_t m = 0; m < layout.orders(field); ++m)
+      weights[layout.at(m, field)] = static_cast<float>(weight);
   };
   set(layout.brightness(), 1.0);
   // Bands are told from Y by their ratios alone; many of them must not drown it.
   const double each = std::sqrt(3.0 / static_cast<double>(layout.channels()));
   for (std::size_t c = 0; c < layout.channels(); ++c) {
-    if (c != Layout::kY) set(layout.ratio(Layout::other(c)), 1.5 * each);
-    set(layout.molecules(c), 1.0 * each);
-    set(layout.haze(c), 0.5 * each);
-    for (std::size_t k = 1; k < layout.terms(); ++k) set(layout.term(k, c), 0.3 * each);
-    set(layout.ground(c), 0.3 * each);
+    if (c != Layout::kY) set(layout.ratio(Layout::other(c)), 1.2 * each);
+    set(layout.molecules(c), 0.35 * each);
+    set(layout.haze(c), 0.35 * each);
+    for (std::size_t k = 1; k < layout.terms(); ++k) set(layout.term(k, c), 0.2 * each);
+    set(layout.ground(c), 0.2 * each);
   }
+  return weights;
+}
+
+/// Deep in twilight skies are dim, and change more than anywhere else: they may err more. [sun]
+std::vector<float> sun_weights(std::span<const double> suns_deg) {
+  std::vector<float> weights;
+  for (const double sun_deg : suns_deg)
+    weights.push_back(static_cast<float>(std::clamp(1.0 - 0.17 * (sun_deg - 90.0), 0.25, 1.0)));
   return weights;
 }
 
@@ -87,7 +100,8 @@ Eigen::MatrixXd prefilter(const CubicSpline& spline, std::span<const double> nod
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const SplineTaps taps = spline.taps(nodes[static_cast<std::size_t>(i)]);
-    for (std::size_t k = 0; k < 4; ++k) values(i, static_cast<Eigen::Index>(taps.first + k)) += taps.weight[k];
+    for (std::size_t k = 0; k < 4; ++k)
+      values(i, static_cast<Eigen::Index>(taps.first + k)) += taps.weight[k];
   }
   return values.inverse();
 }
@@ -119,7 +133,8 @@ Eigen::MatrixXd prefilter_of(std::span<const double> nodes, const Coordinate& co
 }
 
 Basis as_basis(const Matrix& values) {
-  return {static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols()),
+  return {static_cast<std::size_t>(values.rows()),
+          static_cast<std::size_t>(values.cols()),
           {values.data(), values.data() + values.size()}};
 }
 
@@ -127,36 +142,15 @@ Basis filtered(const Eigen::MatrixXd& filter, const Matrix& basis) {
   return as_basis((filter * basis.cast<double>()).cast<float>());
 }
 
-/// The two cores, conditions by rank and rank by features, each rank shared out evenly between them.
+/// The two cores, conditions by rank and rank by features.
 struct Cores {
   Matrix conditions;  // (condition function, rank)
   Matrix features;    // (rank, feature function)
 };
 
-Cores split(const Tensor& core, double may_leave) {
-  const auto conditions = static_cast<Eigen::Index>(core.size[0] * core.size[1] * core.size[2]);
-  const auto features = static_cast<Eigen::Index>(core.size[3] * core.size[4]);
-  const Eigen::Map<const Matrix> whole(core.values.data(), conditions, features);
-  const bool by_conditions = conditions < features;
-  const Eigen::MatrixXd gram =
-      by_conditions ? Eigen::MatrixXf(whole * whole.transpose()).cast<double>()
-                    : Eigen::MatrixXf(whole.transpose() * whole).cast<double>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  Eigen::Index rank = gram.rows();
-  for (double left = 0.0; rank > 1; --rank) {
-    left += std::max(eigen.eigenvalues()(gram.rows() - rank), 0.0);
-    if (left > may_leave) break;
-  }
-  const Matrix vectors = eigen.eigenvectors().rightCols(rank).rowwise().reverse().cast<float>();
-  Cores cores;
-  if (by_conditions) {
-    cores.conditions = vectors;
-    cores.features = vectors.transpose() * whole;
-  } else {
-    cores.features = vectors.transpose();
-    cores.conditions = whole * vectors;
-  }
-  for (Eigen::Index r = 0; r < rank; ++r) {
+/// Shares each rank out evenly, so that both cores are rounded alike.
+Cores balanced(Cores cores) {
+  for (Eigen::Index r = 0; r < cores.conditions.cols(); ++r) {
     const float of_conditions = cores.conditions.col(r).cwiseAbs().maxCoeff();
     const float of_features = cores.features.row(r).cwiseAbs().maxCoeff();
     const float balance = std::sqrt(of_features / std::max(of_conditions, 1e-30f));
@@ -166,12 +160,50 @@ Cores split(const Tensor& core, double may_leave) {
   return cores;
 }
 
+/// An orthonormal basis of what a matrix maps to, near enough for its largest singular values: a random
+/// sketch, sharpened by one power iteration. [Halko, Martinsson, Tropp 2011, doi:10.1137/090771806,
+/// algorithm 4.4]
+Matrix sketched_range(const Eigen::Map<const Matrix>& whole, Eigen::Index columns) {
+  std::mt19937_64 random(20050101);
+  Matrix signs(whole.cols(), columns);
+  for (Eigen::Index i = 0; i < signs.size(); ++i) signs.data()[i] = (random() & 1U) != 0 ? 1.0f : -1.0f;
+  const auto orthonormal = [columns](const Matrix& of) -> Matrix {
+    const Eigen::HouseholderQR<Matrix> qr(of);
+    return qr.householderQ() * Matrix::Identity(of.rows(), columns);
+  };
+  const Matrix once = orthonormal(whole * signs);
+  return orthonormal(whole * orthonormal(whole.transpose() * once));
+}
+
+Cores split(const Tensor& core, double may_leave) {
+  const auto conditions = static_cast<Eigen::Index>(core.size[0] * core.size[1] * core.size[2]);
+  const auto features = static_cast<Eigen::Index>(core.size[3] * core.size[4]);
+  const Eigen::Map<const Matrix> whole(core.values.data(), conditions, features);
+  const double all = whole.cast<double>().squaredNorm();
+  const Eigen::Index most = std::min(conditions, features);
+  for (Eigen::Index columns = std::min(kFirstSketch, most);; columns = std::min(2 * columns, most)) {
+    const Matrix range = sketched_range(whole, columns);
+    const Matrix within = range.transpose() * whole;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+        Matrix(within * within.transpose()).cast<double>());
+    // The largest last.
+    Eigen::Index rank = 0;
+    double left = all;
+    while (rank < columns && left > may_leave) left -= eigen.eigenvalues()(columns - ++rank);
+    if (left > may_leave && columns < most) continue;
+    const Matrix vectors = eigen.eigenvectors().rightCols(rank).rowwise().reverse().cast<float>();
+    return balanced({range * vectors, vectors.transpose() * within});
+  }
+}
+
 /// The step that leaves a mean square error of the product's entries, if both factors are rounded to it:
 /// every entry of one meets the mean squares of the other.
 double rounding_step(const Cores& cores, double may_leave) {
-  const double entries = static_cast<double>(cores.conditions.rows()) * static_cast<double>(cores.features.cols());
-  const double squares = static_cast<double>(cores.conditions.squaredNorm()) / static_cast<double>(cores.conditions.rows()) +
-                         static_cast<double>(cores.features.squaredNorm()) / static_cast<double>(cores.features.cols());
+  const double entries =
+      static_cast<double>(cores.conditions.rows()) * static_cast<double>(cores.features.cols());
+  const double squares =
+      static_cast<double>(cores.conditions.squaredNorm()) / static_cast<double>(cores.conditions.rows()) +
+      static_cast<double>(cores.features.squaredNorm()) / static_cast<double>(cores.features.cols());
   return std::sqrt(12.0 * may_leave / (entries * squares));
 }
 
@@ -190,17 +222,19 @@ Compression compress(const TrainingFields& fields, double tolerance, Tables& tab
   std::vector<float> weight;
   for (std::size_t node = 0; node < zenith_nodes; ++node) {
     const bool ground = node >= tables.zenith_counts.above + tables.zenith_counts.limb;
-    for (const float one : of_number) weight.push_back(one * static_cast<float>(ground ? kGroundWeight : 1.0));
+    for (const float one : of_number)
+      weight.push_back(one * static_cast<float>(ground ? kGroundWeight : 1.0));
   }
   Matrix mean(static_cast<Eigen::Index>(zenith_nodes), static_cast<Eigen::Index>(numbers));
   const Eigen::Map<Matrix> flat(tensor.values.data(), static_cast<Eigen::Index>(conditions),
                                 static_cast<Eigen::Index>(each));
   Eigen::Map<Eigen::RowVectorXf>(mean.data(), mean.size()) =
       flat.cast<double>().colwise().mean().cast<float>();
+  const std::vector<float> of_sun = sun_weights(fields.nodes.suns_deg);
   for (std::size_t condition = 0; condition < conditions; ++condition)
     for (std::size_t i = 0; i < each; ++i) {
       float& value = tensor.values[condition * each + i];
-      value = (value - mean.data()[i]) * weight[i];
+      value = (value - mean.data()[i]) * weight[i] * of_sun[condition % of_sun.size()];
     }
 
   const double may_leave =
@@ -209,7 +243,8 @@ Compression compress(const TrainingFields& fields, double tolerance, Tables& tab
   const Matrix zenith = reduce(tensor, 3, per_axis);
   const Matrix load = reduce(tensor, 0, per_axis);
   const Matrix altitude = reduce(tensor, 1, per_axis);
-  const Matrix sun = reduce(tensor, 2, per_axis);
+  Matrix sun = reduce(tensor, 2, per_axis);
+  for (std::size_t i = 0; i < of_sun.size(); ++i) sun.row(static_cast<Eigen::Index>(i)) /= of_sun[i];
   Cores cores = split(tensor, may_leave * (1.0 - kAxesShare - kRoundingShare));
   tables.step = rounding_step(cores, may_leave * kRoundingShare);
 
@@ -222,9 +257,9 @@ Compression compress(const TrainingFields& fields, double tolerance, Tables& tab
     tables.feature_core[i] /= std::max(of_number[i % numbers], 1e-30f);
 
   const double least = fields.nodes.aod500[1];
-  const std::array load_blocks{
-      Eigen::MatrixXd(Eigen::MatrixXd::Identity(1, 1)),
-      prefilter_of(std::span(fields.nodes.aod500).subspan(1), [&](double aod) { return load_coordinate(aod, least); })};
+  const std::array load_blocks{Eigen::MatrixXd(Eigen::MatrixXd::Identity(1, 1)),
+                               prefilter_of(std::span(fields.nodes.aod500).subspan(1),
+                                            [&](double aod) { return load_coordinate(aod, least); })};
   const auto& counts = tables.zenith_counts;
   const std::array zenith_blocks{prefilter_whole_numbers(counts.above), prefilter_whole_numbers(counts.limb),
                                  prefilter_whole_numbers(counts.ground)};

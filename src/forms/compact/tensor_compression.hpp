@@ -16,7 +16,8 @@ struct Compression {
 
 /// Writes a training's features as products of few: first a basis for each axis alone (load, altitude, sun,
 /// zenith angle), then of what conditions have in common with directions, both by eigenvectors of Gram
-/// matrices: a truncated higher-order singular value decomposition. Bases are turned into spline coefficients.
+/// matrices: a truncated higher-order singular value decomposition. Bases are turned into spline
+/// coefficients.
 /// @param tolerance  that the features may be left with, see Compression
 /// @param tables     nodes, counts, channels and terms set; bases, cores, mean, rank and step are filled
 Compression compress(const TrainingFields& fields, double tolerance, Tables& tables);

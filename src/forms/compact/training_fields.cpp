@@ -54,7 +54,8 @@ Eigen::MatrixXd typical_brightness(const SolvedColumns& sky, const Nodes& nodes)
       for (std::size_t i = 0; i < values.size(); ++i) {
         const std::size_t column = i % columns;
         const std::size_t part = i / (columns * around.size()) % parts;
-        sum(static_cast<Eigen::Index>(column), static_cast<Eigen::Index>(part)) += static_cast<double>(values[i]);
+        sum(static_cast<Eigen::Index>(column), static_cast<Eigen::Index>(part)) +=
+            static_cast<double>(values[i]);
       }
     }
   const std::size_t samples = columns / nodes.aod500.size();
@@ -68,7 +69,9 @@ double beside_horizon(const ZenithGrid& zenith, std::size_t node, double altitud
   constexpr double kBeside_deg = 1e-6;
   const std::size_t ground = zenith.counts().above + zenith.counts().limb;
   const double zenith_deg = zenith.node_zenith_deg(node, altitude_km);
-  return node + 1 == ground ? zenith_deg - kBeside_deg : node == ground ? zenith_deg + kBeside_deg : zenith_deg;
+  return node + 1 == ground ? zenith_deg - kBeside_deg
+         : node == ground   ? zenith_deg + kBeside_deg
+                            : zenith_deg;
 }
 
 /// Collects the channels of one load from the parts of its columns.
@@ -97,7 +100,8 @@ class ChannelSums {
   /// @param values  [part][azimuth][column] of one sun
   /// @return (azimuth, [molecules, haze terms, diffuse][channel])
   Eigen::MatrixXd operator()(std::span<const float> values, std::size_t azimuths, std::size_t columns) const {
-    Eigen::MatrixXf gathered(static_cast<Eigen::Index>(azimuths), static_cast<Eigen::Index>(parts_ * samples_));
+    Eigen::MatrixXf gathered(static_cast<Eigen::Index>(azimuths),
+                             static_cast<Eigen::Index>(parts_ * samples_));
     for (std::size_t part = 0; part < parts_; ++part)
       for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth)
         for (std::size_t i = 0; i < samples_; ++i)
@@ -142,8 +146,8 @@ class Trainer {
 
   void follow_all(const ZenithGrid& zenith, std::vector<float>& features) const {
     const std::size_t altitudes = nodes_.altitudes_km.size();
-    features.assign(nodes_.aod500.size() * altitudes * nodes_.suns_deg.size() * zenith.size() * layout_.size(),
-                    0.0f);
+    features.assign(
+        nodes_.aod500.size() * altitudes * nodes_.suns_deg.size() * zenith.size() * layout_.size(), 0.0f);
     parallel_for(altitudes * zenith.size(), context_.threads, [&](std::size_t line) {
       if (context_.cancel.stop_requested()) throw Cancelled();
       follow(zenith, line / zenith.size(), line % zenith.size(), features);
@@ -191,13 +195,15 @@ class Trainer {
           of_white += weights[i] * static_cast<double>(all[column] - none[column]);
         }
         const double w = of_grey / of_white;
-        result.push_back(static_cast<float>(std::clamp((kGreyAlbedo - w) / (kGreyAlbedo * (1.0 - w)), 0.0, 0.9)));
+        result.push_back(
+            static_cast<float>(std::clamp((kGreyAlbedo - w) / (kGreyAlbedo * (1.0 - w)), 0.0, 0.9)));
       }
     return result;
   }
 
  private:
-  void follow(const ZenithGrid& zenith, std::size_t altitude, std::size_t node, std::vector<float>& features) const {
+  void follow(const ZenithGrid& zenith, std::size_t altitude, std::size_t node,
+              std::vector<float>& features) const {
     const double altitude_km = nodes_.altitudes_km[altitude];
     const double zenith_deg = beside_horizon(zenith, node, altitude_km);
     const std::size_t suns = nodes_.suns_deg.size();
@@ -216,11 +222,11 @@ class Trainer {
           return std::span(values).subspan(sun * each, each);
         };
         const std::size_t condition = (load * nodes_.altitudes_km.size() + altitude) * suns + sun;
-        encoder_.encode(row(sums_[load](of_sun(black), around.size(), columns),
-                            sums_[load](of_sun(white), around_ground.size(), columns)),
-                        std::max(nodes_.aod500[load], kLeastLoad),
-                        std::span(features).subspan((condition * zenith.size() + node) * layout_.size(),
-                                                    layout_.size()));
+        encoder_.encode(
+            row(sums_[load](of_sun(black), around.size(), columns),
+                sums_[load](of_sun(white), around_ground.size(), columns)),
+            std::max(nodes_.aod500[load], kLeastLoad),
+            std::span(features).subspan((condition * zenith.size() + node) * layout_.size(), layout_.size()));
       }
   }
 
@@ -252,9 +258,10 @@ class Trainer {
 
 }  // namespace
 
-TrainingFields training_fields(const Context& context, const SkyScene& scene, const TrainingSpectrum& spectrum,
-                               const Nodes& nodes, const ZenithGrid::Counts& zenith_counts,
-                               std::size_t haze_terms, const TransferOptions& options) {
+TrainingFields training_fields(const Context& context, const SkyScene& scene,
+                               const TrainingSpectrum& spectrum, const Nodes& nodes,
+                               const ZenithGrid::Counts& zenith_counts, std::size_t haze_terms,
+                               const TransferOptions& options) {
   const Trainer trainer(context, scene, spectrum, nodes, haze_terms, options);
   TrainingFields fields;
   fields.nodes = nodes;

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "skylut/models/compact/tables.hpp"
 #include "haze_terms.hpp"
+#include "skylut/models/compact/tables.hpp"
 #include "training_spectrum.hpp"
 
 namespace skylut::compact {
@@ -25,8 +25,9 @@ struct TrainingFields {
 /// them and all suns: what belongs to the line alone is most of its cost.
 /// @param zenith_counts  at least 4 each
 /// @param haze_terms     u_k
-TrainingFields training_fields(const Context& context, const SkyScene& scene, const TrainingSpectrum& spectrum,
-                               const Nodes& nodes, const ZenithGrid::Counts& zenith_counts,
-                               std::size_t haze_terms, const TransferOptions& options);
+TrainingFields training_fields(const Context& context, const SkyScene& scene,
+                               const TrainingSpectrum& spectrum, const Nodes& nodes,
+                               const ZenithGrid::Counts& zenith_counts, std::size_t haze_terms,
+                               const TransferOptions& options);
 
 }  // namespace skylut::compact

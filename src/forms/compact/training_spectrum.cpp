@@ -32,8 +32,8 @@ std::vector<std::size_t> chosen(const WavelengthGrid& grid) {
   std::vector<std::size_t> indices;
   for (const double wanted_nm : kColour_nm) {
     const double at = (wanted_nm - grid.first_nm()) / grid.step_nm();
-    const auto index = static_cast<std::size_t>(
-        std::clamp(std::round(at), 0.0, static_cast<double>(grid.size() - 1)));
+    const auto index =
+        static_cast<std::size_t>(std::clamp(std::round(at), 0.0, static_cast<double>(grid.size() - 1)));
     if (indices.empty() || indices.back() != index) indices.push_back(index);
   }
   return indices;
@@ -49,7 +49,8 @@ std::vector<double> plain_sums(std::span<const std::size_t> indices, std::span<c
       sums[std::min(to, indices.size() - 1)] += weights[band];
       continue;
     }
-    const double t = static_cast<double>(band - indices[to - 1]) / static_cast<double>(indices[to] - indices[to - 1]);
+    const double t =
+        static_cast<double>(band - indices[to - 1]) / static_cast<double>(indices[to] - indices[to - 1]);
     sums[to - 1] += (1.0 - t) * weights[band];
     sums[to] += t * weights[band];
   }
@@ -57,8 +58,8 @@ std::vector<double> plain_sums(std::span<const std::size_t> indices, std::span<c
 }
 
 /// Spectra of all bands at unit solar irradiance, in many directions of many skies. [sky and direction][band]
-Eigen::MatrixXd training_set(const Context& context, const SkyScene& scene, std::span<const double> irradiance,
-                             const TransferOptions& options) {
+Eigen::MatrixXd training_set(const Context& context, const SkyScene& scene,
+                             std::span<const double> irradiance, const TransferOptions& options) {
   std::vector<std::vector<float>> spectra;
   const std::size_t width = scene.wavelengths.size();
   for (const double load : kLoads) {
@@ -70,7 +71,8 @@ Eigen::MatrixXd training_set(const Context& context, const SkyScene& scene, std:
     std::vector<SightLine> lines;
     for (const double altitude_km : kAltitudes_km)
       for (const double zenith_deg : kZeniths_deg)
-        for (const double sun_deg : kSuns_deg) lines.push_back({altitude_km, zenith_deg, sun_deg, kAzimuths_deg});
+        for (const double sun_deg : kSuns_deg)
+          lines.push_back({altitude_km, zenith_deg, sun_deg, kAzimuths_deg});
     const std::size_t first = spectra.size();
     spectra.resize(first + lines.size());
     parallel_for(lines.size(), context.threads, [&](std::size_t i) {
@@ -84,11 +86,13 @@ Eigen::MatrixXd training_set(const Context& context, const SkyScene& scene, std:
   for (const std::vector<float>& line : spectra)
     for (std::size_t azimuth = 0; azimuth < kAzimuths_deg.size(); ++azimuth, ++row)
       for (std::size_t i = 0; i < width; ++i)
-        set(row, static_cast<Eigen::Index>(i)) = static_cast<double>(line[azimuth * width + i]) / irradiance[i];
+        set(row, static_cast<Eigen::Index>(i)) =
+            static_cast<double>(line[azimuth * width + i]) / irradiance[i];
   return set;
 }
 
-/// The weights of few columns of a set that give the weighted sums of all: factors of the plain sums, held to 1.
+/// The weights of few columns of a set that give the weighted sums of all: factors of the plain sums, held
+/// to 1.
 std::vector<double> fitted_weights(const Eigen::MatrixXd& set, std::span<const std::size_t> indices,
                                    std::span<const double> weights, double& worst) {
   const std::vector<double> plain = plain_sums(indices, weights);
@@ -96,8 +100,9 @@ std::vector<double> fitted_weights(const Eigen::MatrixXd& set, std::span<const s
   const auto count = static_cast<Eigen::Index>(indices.size());
   Eigen::MatrixXd relative(set.rows(), count);
   for (Eigen::Index i = 0; i < count; ++i)
-    relative.col(i) = plain[static_cast<std::size_t>(i)] *
-                      set.col(static_cast<Eigen::Index>(indices[static_cast<std::size_t>(i)])).cwiseQuotient(sums);
+    relative.col(i) =
+        plain[static_cast<std::size_t>(i)] *
+        set.col(static_cast<Eigen::Index>(indices[static_cast<std::size_t>(i)])).cwiseQuotient(sums);
   const double hold = kHold * static_cast<double>(set.rows());
   Eigen::MatrixXd normal = relative.transpose() * relative;
   normal.diagonal().array() += hold;
@@ -129,9 +134,9 @@ void TrainingSpectrum::choose_colour_samples(const Context& context, const SkySc
   for (const std::size_t index : indices) {
     const Band band{grid[index], grid.step_nm()};
     const std::vector<BandColumn> terms = scene.atmosphere->band_columns(band, kLoads.front());
-    const auto largest = std::max_element(terms.begin(), terms.end(), [](const BandColumn& a, const BandColumn& b) {
-      return a.weight < b.weight;
-    });
+    const auto largest =
+        std::max_element(terms.begin(), terms.end(),
+                         [](const BandColumn& a, const BandColumn& b) { return a.weight < b.weight; });
     samples_.push_back({band, static_cast<std::size_t>(largest - terms.begin())});
   }
   for (const auto channel : {&Xyz::X, &Xyz::Y, &Xyz::Z}) {
@@ -157,7 +162,8 @@ void TrainingSpectrum::add_bands(const Context& context, const SkyScene& scene, 
   }
 }
 
-std::vector<OpticalColumn> TrainingSpectrum::columns(const Atmosphere& air, double aod500, double albedo) const {
+std::vector<OpticalColumn> TrainingSpectrum::columns(const Atmosphere& air, double aod500,
+                                                     double albedo) const {
   std::vector<OpticalColumn> columns;
   for (const Sample& sample : samples_) {
     columns.push_back(air.band_columns(sample.band, aod500).at(sample.term).column);

@@ -13,8 +13,8 @@ struct Context;
 
 namespace skylut::compact {
 
-/// The monochromatic columns whose weighted radiances are the model's channels: X, Y, Z by some 16 wavelengths
-/// instead of all bands, and every band that the model has spectra of.
+/// The monochromatic columns whose weighted radiances are the model's channels: X, Y, Z by some 16
+/// wavelengths instead of all bands, and every band that the model has spectra of.
 ///
 /// Spectra of skies are smooth but for the sun's own lines and the gases' bands, which all of them share. So
 /// the weights of few wavelengths that give the tristimulus values of a set of skies give those of all: least
@@ -22,7 +22,8 @@ namespace skylut::compact {
 /// tell. (The idea is that of optimal spectral sampling, Moncet et al. 2008, doi:10.1175/2008JAS2711.1.)
 class TrainingSpectrum {
  public:
-  /// @param scene  whose atmosphere, solar spectrum and wavelengths X, Y, Z stand for; loads and suns are those
+  /// @param scene  whose atmosphere, solar spectrum and wavelengths X, Y, Z stand for; loads and suns are
+  /// those
   ///               of the training
   /// @param bands  with spectra; none: null
   TrainingSpectrum(const Context& context, const SkyScene& scene, const WavelengthGrid* bands,

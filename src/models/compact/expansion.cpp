@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "skylut/models/compact/coordinates.hpp"
+#include "weighted_rows.hpp"
 
 namespace skylut::compact {
 
@@ -51,12 +52,15 @@ Expansion::Expansion(Tables tables)
       load_(mapped(std::span(tables_.nodes.aod500).subspan(1),
                    [this](double load) { return load_coordinate(load, tables_.nodes.aod500[1]); })),
       sun_(tables_.nodes.suns_deg) {
+  for (std::size_t c = 0; c < layout_.channels(); ++c) {
+    rayleigh_90_.push_back(static_cast<float>(tables_.rayleigh_90[c]));
+    rayleigh_rise_.push_back(static_cast<float>(tables_.rayleigh_0[c] - tables_.rayleigh_90[c]));
+  }
   // The ranks last: they are what a sky sums over.
   const std::size_t each = tables_.condition_core.size() / tables_.rank;
   std::vector<float> core(tables_.condition_core.size());
   for (std::size_t r = 0; r < tables_.rank; ++r)
-    for (std::size_t i = 0; i < each; ++i)
-      core[i * tables_.rank + r] = tables_.condition_core[r * each + i];
+    for (std::size_t i = 0; i < each; ++i) core[i * tables_.rank + r] = tables_.condition_core[r * each + i];
   core = multiplied_out(core, tables_.sun, tables_.rank);
   core = multiplied_out(core, tables_.altitude, tables_.sun.rows * tables_.rank);
   conditions_ = multiplied_out(core, tables_.load, tables_.altitude.rows * tables_.sun.rows * tables_.rank);
@@ -79,28 +83,28 @@ std::vector<float> Expansion::features(double altitude_km, double aod500, double
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t s = 0; s < 4; ++s) {
         const auto weight = static_cast<float>(load.weight[l] * altitude.weight[a] * sun.weight[s]);
-        const float* node = conditions_.data() +
-                            (((load.first + l) * altitude_.size() + altitude.first + a) * sun_.size() +
-                             sun.first + s) *
-                                rank;
+        const float* node =
+            conditions_.data() +
+            (((load.first + l) * altitude_.size() + altitude.first + a) * sun_.size() + sun.first + s) * rank;
         for (std::size_t r = 0; r < rank; ++r) amplitude[r] += weight * node[r];
       }
   const std::size_t numbers = layout_.size();
-  std::vector<float> functions(tables_.zenith.columns * numbers, 0.0f);
-  for (std::size_t r = 0; r < rank; ++r) {
-    const float* core = tables_.feature_core.data() + r * functions.size();
-    for (std::size_t i = 0; i < functions.size(); ++i) functions[i] += amplitude[r] * core[i];
-  }
-  std::vector<float> features = multiplied_out(functions, tables_.zenith, numbers);
+  std::vector<float> functions(tables_.zenith.columns * numbers);
+  weighted_rows(amplitude, tables_.feature_core.data(), functions);
+  std::vector<float> features(tables_.zenith.rows * numbers);
+  for (std::size_t node = 0; node < tables_.zenith.rows; ++node)
+    weighted_rows(
+        std::span(tables_.zenith.values).subspan(node * tables_.zenith.columns, tables_.zenith.columns),
+        functions.data(), std::span(features).subspan(node * numbers, numbers));
   for (std::size_t i = 0; i < features.size(); ++i) features[i] += tables_.mean[i];
   return features;
 }
 
 std::vector<float> Expansion::ground_share(double aod500, double albedo) const {
   const std::vector<double>& loads = tables_.nodes.aod500;
-  const auto above = std::clamp<std::ptrdiff_t>(
-      std::upper_bound(loads.begin(), loads.end(), aod500) - loads.begin(), 1,
-      static_cast<std::ptrdiff_t>(loads.size()) - 1);
+  const auto above =
+      std::clamp<std::ptrdiff_t>(std::upper_bound(loads.begin(), loads.end(), aod500) - loads.begin(), 1,
+                                 static_cast<std::ptrdiff_t>(loads.size()) - 1);
   const auto to = static_cast<std::size_t>(above);
   const double t = std::clamp((aod500 - loads[to - 1]) / (loads[to] - loads[to - 1]), 0.0, 1.0);
   const std::size_t channels = layout_.channels();

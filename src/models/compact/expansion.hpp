@@ -3,14 +3,14 @@
 #include <span>
 #include <vector>
 
-#include "skylut/models/compact/tables.hpp"
-#include "skylut/models/compact/cubic_spline.hpp"
 #include "skylut/core/wavelength_grid.hpp"
+#include "skylut/models/compact/cubic_spline.hpp"
+#include "skylut/models/compact/tables.hpp"
 
 namespace skylut::compact {
 
-/// Tables with the products over the conditions multiplied out, so that a sky needs only the neighbours of its
-/// conditions.
+/// Tables with the products over the conditions multiplied out, so that a sky needs only the neighbours of
+/// its conditions.
 class Expansion {
  public:
   explicit Expansion(Tables tables);
@@ -18,6 +18,10 @@ class Expansion {
   const Tables& tables() const { return tables_; }
   const Layout& layout() const { return layout_; }
   const ZenithGrid& zenith() const { return zenith_; }
+
+  /// The molecules' phase function, P(90°) and P(0°) - P(90°). [channel]
+  std::span<const float> rayleigh_90() const { return rayleigh_90_; }
+  std::span<const float> rayleigh_rise() const { return rayleigh_rise_; }
 
   /// The spline coefficients of one sky, [zenith node][number of the layout].
   std::vector<float> features(double altitude_km, double aod500, double sun_zenith_deg) const;
@@ -38,6 +42,8 @@ class Expansion {
   CubicSpline altitude_;
   CubicSpline load_;  // of all but the first load
   CubicSpline sun_;
+  std::vector<float> rayleigh_90_;
+  std::vector<float> rayleigh_rise_;
   std::vector<float> conditions_;  // [load][altitude][sun][rank]
 };
 

@@ -1,10 +1,13 @@
 #include "packed_numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace skylut::compact {
 
@@ -18,8 +21,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t three = 0;
     for (std::size_t k = 0; k < 3; ++k) three = three << 8 | (k < left ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= left ? kAlphabet[three >> (18 - 6 * k) & 63U] : '=';
+    for (std::size_t k = 0; k < 4; ++k) text += k <= left ? kAlphabet[three >> (18 - 6 * k) & 63U] : '=';
   }
   return text;
 }
@@ -48,55 +50,88 @@ std::vector<std::uint8_t> bytes_of(const JsonReader& place, const std::string& t
   return bytes;
 }
 
-void append(std::vector<std::uint8_t>& bytes, std::uint32_t value, std::size_t width) {
-  for (std::size_t k = 0; k < width; ++k) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * k) & 255U));
-}
+/// A stream of numbers of some bits each, the lowest bits of the first byte first.
+class BitWriter {
+ public:
+  void add(std::uint32_t value, unsigned bits) {
+    held_ |= static_cast<std::uint64_t>(value & mask(bits)) << count_;
+    for (count_ += bits; count_ >= 8; count_ -= 8, held_ >>= 8)
+      bytes_.push_back(static_cast<std::uint8_t>(held_ & 255U));
+  }
+  std::vector<std::uint8_t> finish() {
+    if (count_ > 0) bytes_.push_back(static_cast<std::uint8_t>(held_ & 255U));
+    return std::move(bytes_);
+  }
+  static std::uint32_t mask(unsigned bits) { return bits == 32 ? ~0U : (1U << bits) - 1U; }
 
-std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t first, std::size_t width) {
-  std::uint32_t value = 0;
-  for (std::size_t k = 0; k < width; ++k) value |= static_cast<std::uint32_t>(bytes[first + k]) << (8 * k);
-  return value;
-}
+ private:
+  std::vector<std::uint8_t> bytes_;
+  std::uint64_t held_ = 0;
+  unsigned count_ = 0;
+};
+
+class BitReader {
+ public:
+  explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  std::uint32_t next(unsigned bits) {
+    for (; count_ < bits; count_ += 8) held_ |= static_cast<std::uint64_t>(bytes_[at_++]) << count_;
+    const auto value = static_cast<std::uint32_t>(held_) & BitWriter::mask(bits);
+    held_ >>= bits;
+    count_ -= bits;
+    return value;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_ = 0;
+  std::uint64_t held_ = 0;
+  unsigned count_ = 0;
+};
+
+constexpr unsigned kSingle = 32;  // bits of a float
+constexpr unsigned kMostBits = 24;
 
 }  // namespace
 
 nlohmann::ordered_json pack_numbers(std::span<const float> values, double step) {
   double most = 0.0;
   for (const float value : values) most = std::max(most, std::abs(static_cast<double>(value)));
-  const double steps = step > 0.0 ? most / step : 1e9;
-  const std::size_t width = steps <= 127.0 ? 1 : steps <= 32767.0 ? 2 : 4;
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(values.size() * width);
+  unsigned bits = kSingle;
+  if (step > 0.0 && most / step < static_cast<double>(1U << (kMostBits - 1)) - 1.0)
+    bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(std::lround(most / step)))) + 1;
+  BitWriter writer;
   for (const float value : values)
-    append(bytes,
-           width == 4 ? std::bit_cast<std::uint32_t>(value)
-                      : static_cast<std::uint32_t>(std::lround(static_cast<double>(value) / step)),
-           width);
+    writer.add(bits == kSingle ? std::bit_cast<std::uint32_t>(value)
+                               : static_cast<std::uint32_t>(std::lround(static_cast<double>(value) / step)),
+               bits);
   nlohmann::ordered_json json;
-  json["bytes"] = width;
-  if (width < 4) json["step"] = step;
-  json["base64"] = base64(bytes);
+  json["bits"] = bits;
+  if (bits != kSingle) json["step"] = step;
+  json["base64"] = base64(writer.finish());
   return json;
 }
 
 std::vector<float> unpack_numbers(const JsonReader& packed, std::size_t count) {
-  const double bytes_each = packed.at("bytes").number();
-  if (bytes_each != 1.0 && bytes_each != 2.0 && bytes_each != 4.0) packed.at("bytes").refuse("must be 1, 2 or 4");
-  const auto width = static_cast<std::size_t>(bytes_each);
+  const double stated = packed.at("bits").number({1.0, kSingle, "bits"});
+  const auto bits = static_cast<unsigned>(stated);
+  if (stated != bits || (bits > kMostBits && bits != kSingle))
+    packed.at("bits").refuse("must be a whole number, at most 24, or 32");
   const std::vector<std::uint8_t> bytes = bytes_of(packed.at("base64"), packed.at("base64").text());
-  if (bytes.size() != count * width)
-    packed.at("base64").refuse("holds " + std::to_string(bytes.size()) + " bytes: must hold " +
-                               std::to_string(count * width));
-  const double step = width < 4 ? packed.at("step").number() : 0.0;
+  const std::size_t needed = (count * bits + 7) / 8;
+  if (bytes.size() != needed)
+    packed.at("base64").refuse(fmt::format("holds {} bytes: must hold {}", bytes.size(), needed));
+  const double step = bits == kSingle ? 0.0 : packed.at("step").number();
+  BitReader reader(bytes);
   std::vector<float> values;
   values.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t raw = word(bytes, i * width, width);
-    if (width == 4) {
+    const std::uint32_t raw = reader.next(bits);
+    if (bits == kSingle) {
       values.push_back(std::bit_cast<float>(raw));
       if (!std::isfinite(values.back())) packed.at("base64").refuse("holds what is not a number");
     } else {
-      const int whole = width == 1 ? static_cast<std::int8_t>(raw) : static_cast<std::int16_t>(raw);
+      // The highest bit is the sign.
+      const auto whole = static_cast<std::int32_t>(raw << (32 - bits)) >> (32 - bits);
       values.push_back(static_cast<float>(step * whole));
     }
   }

@@ -10,8 +10,8 @@
 
 namespace skylut::compact {
 
-/// Numbers in a JSON file at a few bytes each: base64 (RFC 4648) of little-endian whole numbers, times a step.
-/// 1 byte where 127 steps are enough, else 2, else 4 bytes of single precision.
+/// Numbers in a JSON file at a few bits each: base64 (RFC 4648) of a stream of whole numbers, as many bits as
+/// the largest needs, times a step; or of numbers of single precision.
 /// @param step  > 0; what the numbers are rounded to; 0: single precision
 nlohmann::ordered_json pack_numbers(std::span<const float> values, double step);
 

@@ -80,9 +80,8 @@ ordered_json tables_json(const Tables& tables) {
   json["planet_radius_km"] = tables.planet_radius_km;
   json["zenith_nodes"] = {tables.zenith_counts.above, tables.zenith_counts.limb, tables.zenith_counts.ground};
   json["wavelengths_nm"] = tables.wavelengths_nm;
-  json["haze_terms"] = {{"count", tables.terms},
-                        {"mean", tables.haze_mean},
-                        {"values", pack_numbers(tables.haze_terms, 0.0)}};
+  json["haze_terms"] = {
+      {"count", tables.terms}, {"mean", tables.haze_mean}, {"values", pack_numbers(tables.haze_terms, 0.0)}};
   json["rayleigh"] = {{"at_0_deg", tables.rayleigh_0}, {"at_90_deg", tables.rayleigh_90}};
   json["spherical_albedo"] = pack_numbers(tables.spherical_albedo, 0.0);
   json["bases"] = {{"aod500", basis_json(tables.load)},
@@ -105,12 +104,13 @@ Tables read_tables(const JsonReader& model) {
   tables.planet_radius_km = model.at("planet_radius_km").number(domain::kPlanetRadius_km);
   const std::vector<JsonReader> counts = model.at("zenith_nodes").elements();
   if (counts.size() != 3) model.at("zenith_nodes").refuse("must be [above, limb, ground]");
-  tables.zenith_counts = {whole(counts[0], kNodeCount), whole(counts[1], kNodeCount), whole(counts[2], kNodeCount)};
+  tables.zenith_counts = {whole(counts[0], kNodeCount), whole(counts[1], kNodeCount),
+                          whole(counts[2], kNodeCount)};
   tables.channels = {"X", "Y", "Z"};
   if (model.at("wavelengths_nm").value().size() > 0)
-    tables.wavelengths_nm = model.at("wavelengths_nm")
-                                .numbers(domain::kWavelength_nm.lowest, domain::kWavelength_nm.highest,
-                                         "a wavelength in nm");
+    tables.wavelengths_nm =
+        model.at("wavelengths_nm")
+            .numbers(domain::kWavelength_nm.lowest, domain::kWavelength_nm.highest, "a wavelength in nm");
   for (const double wavelength_nm : tables.wavelengths_nm)
     tables.channels.push_back(std::to_string(wavelength_nm));
   const std::size_t channels = tables.channels.size();

@@ -40,7 +40,8 @@ double ZenithGrid::limb_coordinate(double zenith_deg, double altitude_km, double
   const double even = std::clamp((zenith_deg - 90.0) / dip_deg, 0.0, 1.0);
   const double lowest_km =
       (planet_radius_km_ + altitude_km) * std::sin(zenith_deg * kRadiansPerDegree) - planet_radius_km_;
-  const double low = 1.0 - std::log1p(std::max(lowest_km, 0.0) / kHaze_km) / std::log1p(altitude_km / kHaze_km);
+  const double low =
+      1.0 - std::log1p(std::max(lowest_km, 0.0) / kHaze_km) / std::log1p(altitude_km / kHaze_km);
   return kEven * even + (1.0 - kEven) * low;
 }
 
@@ -64,8 +65,9 @@ double ZenithGrid::node_zenith_deg(std::size_t node, double altitude_km) const {
     return node == 0 ? 90.0 : node + 1 == counts_.limb ? horizon_deg : high;
   }
   node -= counts_.limb;
-  return std::min(180.0, horizon_deg + kBelow_deg * std::expm1(share(node, counts_.ground) *
-                                                               std::log1p((180.0 - horizon_deg) / kBelow_deg)));
+  return std::min(180.0,
+                  horizon_deg + kBelow_deg * std::expm1(share(node, counts_.ground) *
+                                                        std::log1p((180.0 - horizon_deg) / kBelow_deg)));
 }
 
 SplineTaps ZenithGrid::taps(double zenith_deg, double altitude_km) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -25,7 +26,16 @@ class CubicSpline {
   SplineTaps taps(double x) const;
 
  private:
+  /// The four B-splines of one interval as cubics of its own coordinate t from 0 to 1, [B-spline][power].
+  struct Piece {
+    double from;
+    double inverse_length;
+    std::array<std::array<double, 4>, 4> cubic;
+  };
+  std::array<double, 4> recurrence(std::size_t span, double x) const;
+
   std::vector<double> knots_;
+  std::vector<Piece> piece_;
 };
 
 }  // namespace skylut::compact

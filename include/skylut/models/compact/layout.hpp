@@ -13,7 +13,8 @@ namespace skylut::compact {
 ///   ρ      molecules' single scattering, in t: R = ρ t
 ///   α      haze's single scattering: ln(a/(l t) + ε)
 ///   κ_k    its further terms, in a + ε l t; k = 1, 2, …
-///   γ      ground's light: ln of its azimuthal mean in e^{mean of ln t}, and its other orders in that mean: G
+///   γ      ground's light: ln of its azimuthal mean in e^{mean of ln t}, and its other orders in that mean:
+///   G
 /// and the radiance is
 ///   L = P R + [u_0 a + Σ u_k κ_k (a + ε l t)]/ū_0 + (t - R - a - G/5) + w G. [models.md]
 /// Everything is of the order of 1 and smooth in all conditions, and t is never negative.

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "skylut/core/json_reader.hpp"
+#include "skylut/models/compact/cubic_spline.hpp"
 #include "skylut/models/compact/layout.hpp"
 #include "skylut/models/compact/zenith_grid.hpp"
-#include "skylut/models/compact/cubic_spline.hpp"
-#include "skylut/core/json_reader.hpp"
 
 namespace skylut::compact {
 
