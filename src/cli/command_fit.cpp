@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "fit_form.hpp"
 #include "options/file_kinds.hpp"
 #include "options/light_kinds.hpp"
 #include "options/number_kinds.hpp"
@@ -30,6 +31,7 @@ struct FitArguments {
   std::optional<double> sun_azimuth_deg;
   SampleWeights weights = SampleWeights::uniform;
   bool json = false;
+  FormRequest form;
 };
 
 // Index of the row that looks straight up.
@@ -99,7 +101,20 @@ FittedSky fitted(const FitArguments& options) {
   return input;
 }
 
-void run(const FitArguments& options, const std::string& command_line) {
+// The options of one sky's fit mean nothing to a form.
+void fit_form(const FitArguments& options, const OptionSet& given) {
+  for (const char* name : {"--sun-zenith-deg", "--sun-azimuth-deg", "--json"})
+    if (given.given(name)) throw InputError("{}: must not be given with --form", name);
+  if (options.weights != SampleWeights::uniform)
+    throw InputError("--weights: must not be given with --form, which weights by solid angle");
+  if (!options.out) throw InputError("--form: needs -o MODEL.json");
+  options.form.run(options.file, *options.out, given.command_line("skylut fit"));
+}
+
+void run(const FitArguments& options, const OptionSet& given) {
+  if (options.form.wanted()) return fit_form(options, given);
+  options.form.refuse_without_form(given);
+  const std::string command_line = given.command_line("skylut fit");
   const FittedSky sky = fitted(options);
   Provenance provenance(command_line);
   provenance.add_source(program_context(), options.file);
@@ -117,11 +132,14 @@ Command fit_command() {
   const auto options = std::make_shared<FitArguments>();
   Command command;
   command.name = "fit";
-  command.summary = "fit Perez coefficients to any sky (.csv)";
+  command.summary = "fit Perez coefficients to any sky (.csv), or a sky model to many";
   command.notes =
-      "FILE: columns zenith_deg, azimuth_deg or gamma_deg, Y_cd_m2 (or Y), x, y; one row must be the zenith.";
+      "FILE: columns zenith_deg, azimuth_deg or gamma_deg, Y_cd_m2 (or Y), x, y; one row must be the "
+      "zenith.\n"
+      "With --form: a sky.csv, a folder of them, or a table's folder, which stands for its conditions.";
   command.examples = {"skylut map -o sky.csv --sun-zenith-deg 45 --sun-azimuth-deg 90", "skylut fit sky.csv",
-                      "skylut fit sky.csv --sun-zenith-deg 45 --sun-azimuth-deg 90 --json"};
+                      "skylut fit sky.csv --sun-zenith-deg 45 --sun-azimuth-deg 90 --json",
+                      "skylut fit sky.csv --form perez -o sky.json"};
   OptionSet& set = command.options;
   set.add("FILE", options->file, file_in(), "the sky, as skylut map -o sky.csv writes it or anybody's")
       .required = true;
@@ -130,10 +148,12 @@ Command fit_command() {
   set.add("--sun-azimuth-deg", options->sun_azimuth_deg, azimuth(), "of the sun, clockwise from north");
   set.add("--weights", options->weights, weights_kind(), "of the directions: uniform or solid-angle");
   set.add_flag("--json", options->json, "print the result as JSON");
-  Option& out = set.add("--output", options->out, file_out(), "file for the result as JSON");
+  Option& out =
+      set.add("--output", options->out, file_out(), "file for the result as JSON; of --form the model");
   out.short_name = "-o";
   out.recorded = false;
-  command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut fit")); };
+  options->form.add_to(set);
+  command.run = [options](const OptionSet& given) { run(*options, given); };
   return command;
 }
 

@@ -12,6 +12,7 @@
 #include "options/light_kinds.hpp"
 #include "options/number_kinds.hpp"
 #include "output.hpp"
+#include "recorded_table.hpp"
 #include "scene_options.hpp"
 #include "skylut/core/atomic_file.hpp"
 #include "skylut/core/writable.hpp"
@@ -115,10 +116,8 @@ void run(const TableOptions& options, const std::string& command_line) {
   require_converged(table);
 }
 
-}  // namespace
-
-Command table_command() {
-  const auto options = std::make_shared<TableOptions>();
+// The command but for what it does.
+Command declared(const std::shared_ptr<TableOptions>& options) {
   Command command;
   command.name = "table";
   command.summary = "simulate skies and fit them: the coefficient table";
@@ -142,8 +141,31 @@ Command table_command() {
           "of the directions in the fits: uniform or solid-angle");
   set.add_flag("--save-maps", options->save_maps, "also write each row's sky, DIR/maps/entry_001.csv ...");
   options->scene.add_to(set);
+  return command;
+}
+
+}  // namespace
+
+Command table_command() {
+  const auto options = std::make_shared<TableOptions>();
+  Command command = declared(options);
   command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut table")); };
   return command;
+}
+
+RecordedTable recorded_table(const Context& context, const std::string& command_line) {
+  const auto options = std::make_shared<TableOptions>();
+  Command program;
+  program.name = "skylut";
+  program.subcommands.push_back(declared(options));
+  Command& table = program.subcommands.front();
+  for (Option& option : table.options.all()) option.required = false;  // --out is not recorded
+  table.run = [](const OptionSet&) {};
+  const std::vector<std::string> words = shell_words(command_line);
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  run_command_line(program, static_cast<int>(arguments.size()), arguments.data());
+  return {scene_of(context, *options), std::shared_ptr<const SceneOptions>(options, &options->scene)};
 }
 
 }  // namespace skylut::cli

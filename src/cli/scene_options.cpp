@@ -84,6 +84,12 @@ SkyScene SceneOptions::scene(const Context& context) const {
   return scene;
 }
 
+std::shared_ptr<const Atmosphere> SceneOptions::air_over_ground(const Context& context, double albedo) const {
+  AtmosphereDescription description = air_.atmosphere(profile_);
+  description.ground_albedo = written(albedo);
+  return std::make_shared<const Atmosphere>(build_atmosphere(context, description));
+}
+
 TransferOptions SceneOptions::transfer() const {
   TransferOptions options;
   options.discretisation = discretisation_of(quality_);

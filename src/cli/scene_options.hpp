@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ class SceneOptions {
   /// The scene without altitudes, turbidities, suns and directions.
   /// @throws InputError  for what is unknown or broken, a place that cannot be
   SkyScene scene(const Context& context) const;
+
+  /// The scene's air over another ground, of that albedo. @throws InputError  as scene()
+  std::shared_ptr<const Atmosphere> air_over_ground(const Context& context, double albedo) const;
 
   /// How the scene's results come about, with the quality. @param command  that makes them again
   Provenance provenance(const Context& context, const SkyScene& scene, std::string command) const;

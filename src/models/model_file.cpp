@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <fstream>
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/json_reader.hpp"
 #include "skylut/models/compact_sky.hpp"
+#include "skylut/models/hosek_wilkie_model.hpp"
+#include "skylut/models/perez_rows_model.hpp"
+#include "skylut/models/preetham_model.hpp"
 
 namespace skylut {
 
@@ -24,7 +28,10 @@ struct FormReader {
 };
 
 // A new form is one line here.
-constexpr FormReader kReaders[] = {{"skylut", CompactSkyModel::read}};
+constexpr std::array kReaders{
+    FormReader{"perez", PerezRowsModel::read}, FormReader{"perez-spectral", PerezRowsModel::read},
+    FormReader{"preetham", PreethamModel::read}, FormReader{"hosek-wilkie", HosekWilkieModel::read},
+    FormReader{"skylut", CompactSkyModel::read}};
 
 ordered_json range_json(const Range& range) { return {range.lowest, range.highest}; }
 
@@ -71,6 +78,12 @@ std::string model_file_json(const ModelFile& file, const Provenance& provenance)
   json["error"] = file.error;
   json["model"] = file.model;
   return json.dump(1) + '\n';
+}
+
+std::unique_ptr<const SkyModel> make_model(const ModelFile& file) {
+  for (const FormReader& reader : kReaders)
+    if (file.form == reader.form) return reader.read(file.info, JsonReader(file.model, file.form));
+  throw InputError("form '{}': must be one of {}", file.form, fmt::join(model_forms(), ", "));
 }
 
 std::vector<std::string> model_forms() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "skylut/core/check.hpp"
+#include "skylut/core/errors.hpp"
 
 namespace skylut::cli {
 
@@ -54,6 +55,29 @@ std::string shell_quoted(const std::string& word) {
     else
       quoted += character;
   return quoted + "'";
+}
+
+std::vector<std::string> shell_words(const std::string& line) {
+  std::vector<std::string> words;
+  bool inside = false;  // of a word
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char character = line[i];
+    if (!quoted && character == ' ') {
+      inside = false;
+      continue;
+    }
+    if (!inside) words.emplace_back();
+    inside = true;
+    if (character == '\'')
+      quoted = !quoted;
+    else if (!quoted && character == '\\' && i + 1 < line.size())
+      words.back() += line[++i];
+    else
+      words.back() += character;
+  }
+  if (quoted) throw InputError("command '{}': a quote is not closed", line);
+  return words;
 }
 
 }  // namespace skylut::cli

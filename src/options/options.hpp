@@ -85,4 +85,8 @@ class OptionSet {
 /// A word as a POSIX shell reads it back, in single quotes where it needs them.
 std::string shell_quoted(const std::string& word);
 
+/// The words of a line that OptionSet::command_line or shell_quoted wrote. @throws InputError  for a quote
+/// that is not closed
+std::vector<std::string> shell_words(const std::string& line);
+
 }  // namespace skylut::cli

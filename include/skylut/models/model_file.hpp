@@ -24,6 +24,9 @@ struct ModelFile {
 /// same model gives the same bytes.
 std::string model_file_json(const ModelFile& file, const Provenance& provenance);
 
+/// The model of a file that is not written yet: the same as reading it back.
+std::unique_ptr<const SkyModel> make_model(const ModelFile& file);
+
 /// Forms that can be read back.
 std::vector<std::string> model_forms();
 

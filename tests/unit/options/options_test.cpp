@@ -101,5 +101,16 @@ TEST(ShellQuoted, LeavesPlainWords) {
   EXPECT_EQ(shell_quoted("'"), R"(''\''')");
 }
 
+TEST(ShellWords, ReadWhatWasQuoted) {
+  const std::vector<std::string> words{"skylut",      "a b", "it's", "", "$HOME `x` \"y\" *;&.{}",
+                                       "back\\slash", "-1,2"};
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_quoted(word);
+  EXPECT_EQ(shell_words(line), words);
+  EXPECT_EQ(shell_words("a  b'c d'e"), (std::vector<std::string>{"a", "bc de"}));
+  EXPECT_TRUE(shell_words("").empty());
+  EXPECT_THROW(shell_words("a 'b"), InputError);
+}
+
 }  // namespace
 }  // namespace skylut::cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "skylut/forms/form.hpp"
+
+/// The forms, one file each.
+namespace skylut {
+
+/// One Perez formula per channel and sky, of the conditions of the input: `perez` (Y, x, y) and
+/// `perez-spectral` (bands). [perez_rows_form.cpp]
+class PerezRowsForm final : public Form {
+ public:
+  enum class Channels { colour, bands };
+  explicit PerezRowsForm(Channels channels) : channels_(channels) {}
+
+  const char* name() const override;
+  const char* summary() const override;
+  ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
+  std::vector<SoughtSky> held_out(const SkySupply& supply, const ModelFile& fitted) const override;
+
+ private:
+  Channels channels_;
+};
+
+/// Preetham, Shirley and Smits 1999, their procedure on our skies. [preetham_form.cpp]
+class PreethamForm final : public Form {
+ public:
+  const char* name() const override { return "preetham"; }
+  const char* summary() const override { return "Preetham 1999: A-E linear in T, polynomials of the zenith"; }
+  ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
+};
+
+/// Hosek and Wilkie 2012. [hosek_wilkie_form.cpp]
+class HosekWilkieForm final : public Form {
+ public:
+  const char* name() const override { return "hosek-wilkie"; }
+  const char* summary() const override {
+    return "Hosek and Wilkie 2012: nine coefficients, quintic in the sun";
+  }
+  ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
+};
+
+}  // namespace skylut
