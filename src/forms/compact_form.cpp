@@ -1,5 +1,7 @@
 #include "skylut/forms/compact_form.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "compact/tensor_compression.hpp"
 #include "compact/training_fields.hpp"
 #include "compact/training_spectrum.hpp"
+#include "form_list.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
@@ -95,6 +98,19 @@ ModelFile fit_compact_sky(const Context& context, const SkyScene& scene, const C
   file.error["of_colour_wavelengths"] = spectrum.colour_error();
   file.error["of_compression"] = compression.left_out;
   return file;
+}
+
+ModelFile CompactForm::fit(const Context& context, const SkySupply& supply,
+                           const FormOptions& options) const {
+  const std::optional<SkySupply::Air> air = supply.air();
+  if (!air) throw InputError("form skylut of maps: must be a table folder, whose air it simulates");
+  CompactFormOptions own;
+  own.error = options.error;
+  if (options.spectral) own.bands = options.bands;
+  for (const double value : supply.axes().turbidities)
+    own.most_aod500 =
+        std::max(own.most_aod500, to_aod500({supply.axes().turbidity_kind, value}, *air->scene.atmosphere));
+  return fit_compact_sky(context, air->scene, own, air->options);
 }
 
 }  // namespace skylut
