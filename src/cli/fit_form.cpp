@@ -103,7 +103,10 @@ void FormRequest::add_to(OptionSet& options) {
   options.add("--turbidities", turbidities_, numbers(domain::kTurbidityValue), "instead of the input's");
   options.add("--albedos", albedos_, numbers(domain::kAlbedo),
               "of the ground, for hosek-wilkie: default 0,1");
-  options.add_flag("--spectral", spectral_, "bands instead of X, Y, Z, for hosek-wilkie");
+  options.add_flag("--spectral", spectral_,
+                   "bands instead of X, Y, Z, for hosek-wilkie; beside them, for skylut");
+  options.add("--error", error_, number({1e-3, 0.2, ""}),
+              "for skylut: what compression may leave, default 0.03");
   options.add("--bands-nm", bands_, wavelengths(), "first, last and step of bands: default 380:780:40");
   computing_.add_to(options);
 }
@@ -144,6 +147,7 @@ void FormRequest::run(const fs::path& input, const fs::path& out, const std::str
   const Form& form = form_named(*form_);
   FormOptions options;
   options.spectral = spectral_;
+  if (error_) options.error = *error_;
   if (bands_) options.bands = *bands_;
   if (albedos_) options.albedos = *albedos_;
   std::sort(options.albedos.begin(), options.albedos.end());

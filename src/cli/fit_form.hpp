@@ -37,6 +37,7 @@ class FormRequest {
   std::optional<std::vector<double>> turbidities_;
   std::optional<std::vector<double>> albedos_;
   std::optional<WavelengthGrid> bands_;
+  std::optional<double> error_;
   bool spectral_ = false;
   ComputingOptions computing_;
 };

@@ -13,7 +13,8 @@ std::vector<const Form*> forms() {
   static const PerezRowsForm perez_spectral(PerezRowsForm::Channels::bands);
   static const PreethamForm preetham;
   static const HosekWilkieForm hosek_wilkie;
-  return {&perez, &perez_spectral, &preetham, &hosek_wilkie};
+  static const CompactForm compact;
+  return {&perez, &perez_spectral, &preetham, &hosek_wilkie, &compact};
 }
 
 std::vector<std::string> form_names() {
@@ -37,13 +38,15 @@ std::vector<SoughtSky> Form::held_out(const SkySupply& supply, const ModelFile& 
 ModelFile fit_form(const Context& context, const Form& form, const SkySupply& supply,
                    const FormOptions& options) {
   ModelFile file = form.fit(context, supply, options);
-  const std::unique_ptr<const SkyModel> model = make_model(file);
   if (supply.simulates()) {
-    const std::vector<TrainingSky> skies =
-        supply.simulated(context, form.held_out(supply, file), checking_views);
+    const std::vector<SoughtSky> held_out = form.held_out(supply, file);
+    if (held_out.empty()) return file;
+    const std::unique_ptr<const SkyModel> model = make_model(file);
+    const std::vector<TrainingSky> skies = supply.simulated(context, held_out, checking_views);
     file.error["held_out"] = error_summary(sky_errors(*model, skies));
   } else {
-    file.error["fitted"] = error_summary(sky_errors(*model, supply.given(context, checking_views)));
+    file.error["fitted"] =
+        error_summary(sky_errors(*make_model(file), supply.given(context, checking_views)));
   }
   return file;
 }

@@ -39,4 +39,14 @@ class HosekWilkieForm final : public Form {
   ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
 };
 
+/// Our own. [compact_form.cpp]
+class CompactForm final : public Form {
+ public:
+  const char* name() const override { return "skylut"; }
+  const char* summary() const override { return "the sky's smooth parts, compressed over all conditions"; }
+  ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
+  /// None: it states an error of its own, by lines of sight, over its whole domain.
+  std::vector<SoughtSky> held_out(const SkySupply&, const ModelFile&) const override { return {}; }
+};
+
 }  // namespace skylut

@@ -8,6 +8,7 @@
 
 #include "skylut/core/errors.hpp"
 #include "skylut/core/json_reader.hpp"
+#include "skylut/models/compact_sky.hpp"
 #include "skylut/models/hosek_wilkie_model.hpp"
 #include "skylut/models/perez_rows_model.hpp"
 #include "skylut/models/preetham_model.hpp"
@@ -29,7 +30,8 @@ struct FormReader {
 // A new form is one line here.
 constexpr std::array kReaders{
     FormReader{"perez", PerezRowsModel::read}, FormReader{"perez-spectral", PerezRowsModel::read},
-    FormReader{"preetham", PreethamModel::read}, FormReader{"hosek-wilkie", HosekWilkieModel::read}};
+    FormReader{"preetham", PreethamModel::read}, FormReader{"hosek-wilkie", HosekWilkieModel::read},
+    FormReader{"skylut", CompactSkyModel::read}};
 
 ordered_json range_json(const Range& range) { return {range.lowest, range.highest}; }
 

@@ -90,6 +90,24 @@ struct SolvedColumns::Solution {
     report.cpu_s = progress.cpu_s();
   }
 
+  /// Puts a block's parts of some of a line's pairs where they belong.
+  /// @param values  [part of the block][pair][lane]
+  /// @param to      [part][pair of these][column]
+  void sort(const Block& block, std::span<const float> values, std::size_t pairs, std::size_t first_pair,
+            std::size_t count, std::span<float> to) const {
+    const auto lanes = static_cast<std::size_t>(block.optics->lanes);
+    const auto own = static_cast<std::size_t>(block.optics->scatterers);
+    const auto copy = [&](std::size_t from_part, std::size_t to_part) {
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
+          to[(to_part * count + i) * columns.size() + block.columns[lane]] =
+              checked(values[(from_part * pairs + first_pair + i) * lanes + lane], block.columns[lane]);
+    };
+    for (std::size_t kind = 0; kind < 3; ++kind)
+      for (std::size_t s = 0; s < own; ++s) copy(kind * own + s, kind * scatterers + s);
+    copy(3 * own, 3 * scatterers);
+  }
+
   /// The band that answers, and its line of sight.
   std::pair<const BandSolution*, LineOfSight> question(const SightLine& line) const {
     LineOfSight asked{line.observer_altitude_km, line.view_zenith_deg, {}, {}};
@@ -150,23 +168,38 @@ void SolvedColumns::radiance_parts(std::span<const SightLine> lines, std::span<f
     band = of_line;
     asked.push_back(std::move(question));
   }
-  const std::size_t most = scatterers();
   std::fill(parts.begin(), parts.end(), 0.0f);
   answer_in_parts(band->common(), asked, band->blocks(),
                   [&](std::size_t line, const Block& block, std::span<const float> values) {
-                    const std::span<float> of_line = parts.subspan(line * size, size);
-                    const auto lanes = static_cast<std::size_t>(block.optics->lanes);
-                    const auto own = static_cast<std::size_t>(block.optics->scatterers);
-                    const auto copy = [&](std::size_t from, std::size_t to) {
-                      for (std::size_t i = 0; i < azimuths; ++i)
-                        for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
-                          of_line[(to * azimuths + i) * columns() + block.columns[lane]] =
-                              checked(values[(from * azimuths + i) * lanes + lane], block.columns[lane]);
-                    };
-                    for (std::size_t kind = 0; kind < 3; ++kind)
-                      for (std::size_t s = 0; s < own; ++s) copy(kind * own + s, kind * most + s);
-                    copy(3 * own, 3 * most);
+                    solution_->sort(block, values, azimuths, 0, azimuths, parts.subspan(line * size, size));
                   });
+}
+
+void SolvedColumns::radiance_parts(const SightFan& fan, std::span<float> parts) const {
+  const std::size_t azimuths = fan.relative_azimuth_deg.size();
+  const std::size_t size = this->parts() * azimuths * columns();
+  SKYLUT_CHECK_EQ(parts.size(), fan.sun_zenith_deg.size() * size);
+  std::fill(parts.begin(), parts.end(), 0.0f);
+  // Runs of suns in one band are asked together.
+  for (std::size_t first = 0, last; first < fan.sun_zenith_deg.size(); first = last) {
+    const auto question = [&](std::size_t sun) {
+      return solution_->question(
+          {fan.observer_altitude_km, fan.view_zenith_deg, fan.sun_zenith_deg[sun], fan.relative_azimuth_deg});
+    };
+    auto [band, asked] = question(first);
+    for (last = first + 1; last < fan.sun_zenith_deg.size(); ++last) {
+      auto [next_band, next] = question(last);
+      if (next_band != band) break;
+      asked.pairs.insert(asked.pairs.end(), next.pairs.begin(), next.pairs.end());
+    }
+    const std::size_t pairs = asked.pairs.size();
+    answer_in_parts(band->common(), {&asked, 1}, band->blocks(),
+                    [&](std::size_t, const Block& block, std::span<const float> values) {
+                      for (std::size_t sun = first; sun < last; ++sun)
+                        solution_->sort(block, values, pairs, (sun - first) * azimuths, azimuths,
+                                        parts.subspan(sun * size, size));
+                    });
+  }
 }
 
 void SolvedColumns::part_factors(std::size_t column, double cos_scattering_angle,

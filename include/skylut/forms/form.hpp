@@ -16,6 +16,7 @@ struct FormOptions {
   bool spectral = false;  ///< bands instead of colours, of forms that can have either
   /// Bands of the forms that have bands.
   WavelengthGrid bands = WavelengthGrid(380.0, 780.0, 40.0);
+  double error = 0.03;                    ///< that compression may leave, see CompactFormOptions::error
   std::vector<double> albedos{0.0, 1.0};  ///< nodes of the forms that have an albedo, ascending, in [0, 1]
 };
 
@@ -34,7 +35,8 @@ class Form {
   virtual ModelFile fit(const Context& context, const SkySupply& supply,
                         const FormOptions& options) const = 0;
 
-  /// Conditions at which the model is measured: none of those it was fitted to, if it has others.
+  /// Conditions at which the model is measured: none of those it was fitted to, if it has others. None: the
+  /// form measures itself.
   virtual std::vector<SoughtSky> held_out(const SkySupply& supply, const ModelFile& fitted) const;
 
  protected:

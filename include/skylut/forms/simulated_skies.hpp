@@ -22,12 +22,11 @@ class SimulatedSkies final : public SkySupply {
   const SkyAxes& axes() const override { return axes_; }
   const WavelengthGrid* wavelengths() const override { return &scene_.wavelengths; }
   bool simulates() const override { return true; }
+  std::optional<Air> air() const override { return Air{scene_, options_}; }
   std::optional<double> albedo() const override;
   std::vector<TrainingSky> given(const Context& context, const ViewsUnderSun& views) const override;
   std::vector<TrainingSky> simulated(const Context& context, std::span<const SoughtSky> requests,
                                      const ViewsUnderSun& views) const override;
-
-  const SkyScene& scene() const { return scene_; }
 
  private:
   SkyScene scene_;

@@ -10,6 +10,7 @@
 #include "skylut/colour/yxy.hpp"
 #include "skylut/forms/dome_views.hpp"
 #include "skylut/models/sky_model.hpp"
+#include "skylut/sky/sky_scene.hpp"
 
 namespace skylut {
 
@@ -59,6 +60,13 @@ class SkySupply {
   /// @throws InputError  saying what input would be right, if it does not simulate
   virtual std::vector<TrainingSky> simulated(const Context& context, std::span<const SoughtSky> requests,
                                              const ViewsUnderSun& views) const = 0;
+
+  /// The air and its light, and how finely it is solved, of a supply that simulates.
+  struct Air {
+    const SkyScene& scene;
+    const TransferOptions& options;
+  };
+  virtual std::optional<Air> air() const { return {}; }
 
   /// Of the ground, if it is a number.
   virtual std::optional<double> albedo() const = 0;

@@ -19,6 +19,15 @@ struct SightLine {
   std::span<const double> relative_azimuth_deg;  ///< [0, 180], 0 = towards the sun
 };
 
+/// A line of sight under several suns, in several azimuths each: what belongs to the line alone is worked out
+/// once.
+struct SightFan {
+  double observer_altitude_km = 0.0;             ///< above the ground, in [0, top level]
+  double view_zenith_deg = 0.0;                  ///< [0, 180]
+  std::span<const double> sun_zenith_deg;        ///< [0, 96]
+  std::span<const double> relative_azimuth_deg;  ///< [0, 180], 0 = towards the sun
+};
+
 /// Columns whose diffuse fields are solved and kept, so that lines of sight can be asked at any time: what
 /// solve_sky_radiance does at once, taken apart. Its answers are the same, to the last bit.
 ///
@@ -55,6 +64,12 @@ class SolvedColumns {
   /// @param parts  sr⁻¹, [line][part][azimuth][column]
   /// @throws  as radiance
   void radiance_parts(std::span<const SightLine> lines, std::span<float> parts) const;
+
+  /// The parts along one line under many suns at once: a fraction of the cost of one sun after another,
+  /// least where all suns are in one band (DiscretisationOptions::sun_bands off).
+  /// @param parts  sr⁻¹, [sun][part][azimuth][column]
+  /// @throws  as radiance
+  void radiance_parts(const SightFan& fan, std::span<float> parts) const;
 
   /// What each part is multiplied by at a scattering angle: P_s, -Q1_s, Q2_s, 1. [part]
   void part_factors(std::size_t column, double cos_scattering_angle, std::span<double> factors) const;

@@ -1,0 +1,175 @@
+#include "training_spectrum.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "skylut/colour/cie1931.hpp"
+#include "skylut/core/context.hpp"
+#include "skylut/core/parallel.hpp"
+#include "skylut/sky/solved_sky.hpp"
+
+namespace skylut::compact {
+
+namespace {
+
+/// Where the colour matching functions have weight, away from the lines of oxygen and water vapour.
+constexpr std::array kColour_nm{400.0, 420.0, 440.0, 460.0, 480.0, 500.0, 520.0, 540.0,
+                                560.0, 580.0, 600.0, 620.0, 640.0, 660.0, 680.0, 705.0};
+/// How strongly a weight is held to the plain sum, against errors of the skies squared.
+constexpr double kHold = 1e-5;
+
+constexpr std::array kLoads{0.01, 0.2, 1.0};
+constexpr std::array kSuns_deg{20.0, 75.0, 88.0, 91.0, 94.0};
+constexpr std::array kAltitudes_km{0.0, 10.0, 28.0};
+constexpr std::array kZeniths_deg{10.0, 60.0, 85.0, 89.5};
+constexpr std::array kAzimuths_deg{0.0, 70.0, 180.0};
+
+/// The wavelengths of the scene nearest to those wanted, each once.
+std::vector<std::size_t> chosen(const WavelengthGrid& grid) {
+  std::vector<std::size_t> indices;
+  for (const double wanted_nm : kColour_nm) {
+    const double at = (wanted_nm - grid.first_nm()) / grid.step_nm();
+    const auto index =
+        static_cast<std::size_t>(std::clamp(std::round(at), 0.0, static_cast<double>(grid.size() - 1)));
+    if (indices.empty() || indices.back() != index) indices.push_back(index);
+  }
+  return indices;
+}
+
+/// Every band's weight given to the chosen bands beside it, nearer ones more. [chosen]
+std::vector<double> plain_sums(std::span<const std::size_t> indices, std::span<const double> weights) {
+  std::vector<double> sums(indices.size(), 0.0);
+  for (std::size_t band = 0; band < weights.size(); ++band) {
+    const auto above = std::lower_bound(indices.begin(), indices.end(), band) - indices.begin();
+    const auto to = static_cast<std::size_t>(above);
+    if (to == 0 || to == indices.size()) {
+      sums[std::min(to, indices.size() - 1)] += weights[band];
+      continue;
+    }
+    const double t =
+        static_cast<double>(band - indices[to - 1]) / static_cast<double>(indices[to] - indices[to - 1]);
+    sums[to - 1] += (1.0 - t) * weights[band];
+    sums[to] += t * weights[band];
+  }
+  return sums;
+}
+
+/// Spectra of all bands at unit solar irradiance, in many directions of many skies. [sky and direction][band]
+Eigen::MatrixXd training_set(const Context& context, const SkyScene& scene,
+                             std::span<const double> irradiance, const TransferOptions& options) {
+  std::vector<std::vector<float>> spectra;
+  const std::size_t width = scene.wavelengths.size();
+  for (const double load : kLoads) {
+    SkyScene one = scene;
+    one.turbidities = {{TurbidityKind::aod500, load}};
+    one.suns.clear();
+    for (const double sun_deg : kSuns_deg) one.suns.push_back({sun_deg, 0.0});
+    const SolvedSky sky(context, one, options);
+    std::vector<SightLine> lines;
+    for (const double altitude_km : kAltitudes_km)
+      for (const double zenith_deg : kZeniths_deg)
+        for (const double sun_deg : kSuns_deg)
+          lines.push_back({altitude_km, zenith_deg, sun_deg, kAzimuths_deg});
+    const std::size_t first = spectra.size();
+    spectra.resize(first + lines.size());
+    parallel_for(lines.size(), context.threads, [&](std::size_t i) {
+      spectra[first + i].resize(kAzimuths_deg.size() * width);
+      sky.radiance(lines[i], spectra[first + i]);
+    });
+  }
+  Eigen::MatrixXd set(static_cast<Eigen::Index>(spectra.size() * kAzimuths_deg.size()),
+                      static_cast<Eigen::Index>(width));
+  Eigen::Index row = 0;
+  for (const std::vector<float>& line : spectra)
+    for (std::size_t azimuth = 0; azimuth < kAzimuths_deg.size(); ++azimuth, ++row)
+      for (std::size_t i = 0; i < width; ++i)
+        set(row, static_cast<Eigen::Index>(i)) =
+            static_cast<double>(line[azimuth * width + i]) / irradiance[i];
+  return set;
+}
+
+/// The weights of few columns of a set that give the weighted sums of all: factors of the plain sums, held
+/// to 1.
+std::vector<double> fitted_weights(const Eigen::MatrixXd& set, std::span<const std::size_t> indices,
+                                   std::span<const double> weights, double& worst) {
+  const std::vector<double> plain = plain_sums(indices, weights);
+  const Eigen::VectorXd sums = set * Eigen::Map<const Eigen::VectorXd>(weights.data(), set.cols());
+  const auto count = static_cast<Eigen::Index>(indices.size());
+  Eigen::MatrixXd relative(set.rows(), count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    relative.col(i) =
+        plain[static_cast<std::size_t>(i)] *
+        set.col(static_cast<Eigen::Index>(indices[static_cast<std::size_t>(i)])).cwiseQuotient(sums);
+  const double hold = kHold * static_cast<double>(set.rows());
+  Eigen::MatrixXd normal = relative.transpose() * relative;
+  normal.diagonal().array() += hold;
+  const Eigen::VectorXd right =
+      relative.transpose() * Eigen::VectorXd::Ones(set.rows()) + Eigen::VectorXd::Constant(count, hold);
+  const Eigen::VectorXd factor = normal.ldlt().solve(right);
+  worst = std::max(worst, (relative * factor - Eigen::VectorXd::Ones(set.rows())).cwiseAbs().maxCoeff());
+  std::vector<double> fitted;
+  for (Eigen::Index i = 0; i < count; ++i) fitted.push_back(factor(i) * plain[static_cast<std::size_t>(i)]);
+  return fitted;
+}
+
+}  // namespace
+
+TrainingSpectrum::TrainingSpectrum(const Context& context, const SkyScene& scene, const WavelengthGrid* bands,
+                                   const TransferOptions& options) {
+  choose_colour_samples(context, scene, options);
+  if (bands != nullptr) add_bands(context, scene, *bands);
+  for (std::vector<double>& weight : weights_) weight.resize(samples_.size(), 0.0);
+}
+
+void TrainingSpectrum::choose_colour_samples(const Context& context, const SkyScene& scene,
+                                             const TransferOptions& options) {
+  const WavelengthGrid& grid = scene.wavelengths;
+  const std::vector<double> irradiance = extraterrestrial_irradiance(context, scene);
+  const std::vector<Xyz> colour = ColourMatching::load(context).weights(grid);
+  const Eigen::MatrixXd set = training_set(context, scene, irradiance, options);
+  const std::vector<std::size_t> indices = chosen(grid);
+  for (const std::size_t index : indices) {
+    const Band band{grid[index], grid.step_nm()};
+    const std::vector<BandColumn> terms = scene.atmosphere->band_columns(band, kLoads.front());
+    const auto largest =
+        std::max_element(terms.begin(), terms.end(),
+                         [](const BandColumn& a, const BandColumn& b) { return a.weight < b.weight; });
+    samples_.push_back({band, static_cast<std::size_t>(largest - terms.begin())});
+  }
+  for (const auto channel : {&Xyz::X, &Xyz::Y, &Xyz::Z}) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < grid.size(); ++i) all.push_back(colour[i].*channel * irradiance[i]);
+    weights_.push_back(fitted_weights(set, indices, all, colour_error_));
+  }
+}
+
+void TrainingSpectrum::add_bands(const Context& context, const SkyScene& scene, const WavelengthGrid& bands) {
+  SkyScene of_bands = scene;
+  of_bands.wavelengths = bands;
+  const std::vector<double> irradiance = extraterrestrial_irradiance(context, of_bands);
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const Band band{bands[i], bands.step_nm()};
+    const std::vector<BandColumn> terms = scene.atmosphere->band_columns(band, kLoads.front());
+    std::vector<double> weight(samples_.size(), 0.0);
+    for (std::size_t term = 0; term < terms.size(); ++term) {
+      samples_.push_back({band, term});
+      weight.push_back(irradiance[i] * terms[term].weight);
+    }
+    weights_.push_back(std::move(weight));
+  }
+}
+
+std::vector<OpticalColumn> TrainingSpectrum::columns(const Atmosphere& air, double aod500,
+                                                     double albedo) const {
+  std::vector<OpticalColumn> columns;
+  for (const Sample& sample : samples_) {
+    columns.push_back(air.band_columns(sample.band, aod500).at(sample.term).column);
+    columns.back().ground_albedo = albedo;
+  }
+  return columns;
+}
+
+}  // namespace skylut::compact

@@ -1,0 +1,237 @@
+#include "skylut/models/compact_sky.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "compact/expansion.hpp"
+#include "compact/fast_exp.hpp"
+#include "compact/weighted_rows.hpp"
+#include "skylut/core/check.hpp"
+#include "skylut/core/constants.hpp"
+#include "skylut/core/errors.hpp"
+
+namespace skylut {
+
+namespace {
+
+using compact::Expansion;
+using compact::fast_exp;
+using compact::Layout;
+using compact::SplineTaps;
+using compact::weighted_rows;
+
+/// Below this share of the sky's brightness nothing falls, whatever the table says.
+constexpr float kDarkest = 1e-3f;
+/// The ground that t is over.
+constexpr float kUsualAlbedo = 0.2f;
+/// The smallest load that the haze is divided by.
+constexpr double kLeastLoad = 1e-4;
+
+/// One direction as the sky needs it.
+struct View {
+  float cos_azimuth;
+  float cos_scattering;
+};
+
+/// Works out the channels of one direction after another.
+class Synthesis {
+ public:
+  Synthesis(const Expansion& expansion, double aod500)
+      : expansion_(expansion),
+        layout_(expansion.layout()),
+        tables_(expansion.tables()),
+        load_(static_cast<float>(std::max(aod500, kLeastLoad))),
+        inverse_mean_(static_cast<float>(1.0 / tables_.haze_mean)),
+        scratch_(layout_.size() + layout_.fields() + layout_.terms() + 3 * layout_.channels()) {
+    std::span<float> left(scratch_);
+    const auto take = [&left](std::size_t count) {
+      const std::span<float> taken = left.first(count);
+      left = left.subspan(count);
+      return taken;
+    };
+    row_ = take(layout_.size());
+    sum_ = take(layout_.fields());
+    haze_ = take(layout_.terms());
+    powers_ = take(3 * layout_.channels());
+  }
+  Synthesis(const Synthesis&) = delete;
+  Synthesis& operator=(const Synthesis&) = delete;
+
+  /// The zenith angle from now on.
+  void look_at(std::span<const float> features, const SplineTaps& taps) {
+    float weight[4];
+    std::copy_n(taps.weight, 4, weight);
+    weighted_rows(weight, features.data() + taps.first * layout_.size(), row_);
+  }
+
+  /// @param radiance  [channel]
+  void channels(const View& view, std::span<const float> ground_share, std::span<float> radiance) {
+    sum_series(view.cos_azimuth);
+    haze_at(view.cos_scattering);
+    const std::size_t channels = layout_.channels();
+    // Three exponentials per channel: brightness, haze, ground's mean. [channel], [channel], [channel]
+    for (std::size_t c = 0; c < channels; ++c) {
+      const bool first = c == Layout::kY;
+      powers_[c] = sum_[0] + (first ? 0.0f : sum_[layout_.ratio(Layout::other(c))]);
+      powers_[channels + c] = sum_[layout_.haze(c)];
+      powers_[2 * channels + c] =
+          row_[0] + (first ? 0.0f : row_[layout_.ratio(Layout::other(c))]) + row_[layout_.ground(c)];
+    }
+    for (float& power : powers_) power = fast_exp(power);
+    const std::span<const float> rayleigh_90 = expansion_.rayleigh_90();
+    const std::span<const float> rayleigh_rise = expansion_.rayleigh_rise();
+    const float polar = view.cos_scattering * view.cos_scattering;
+    constexpr auto kFloor = static_cast<float>(Layout::kFloor);
+    for (std::size_t c = 0; c < channels; ++c) {
+      const float brightness = powers_[c];
+      const float molecules = sum_[layout_.molecules(c)] * brightness;
+      const float unit = load_ * brightness;
+      const float haze = std::max(powers_[channels + c] - kFloor, 0.0f) * unit;
+      float terms = 0.0f;
+      for (std::size_t k = 1; k < layout_.terms(); ++k) terms += haze_[k] * sum_[layout_.term(k, c)];
+      const std::size_t g = layout_.ground(c);
+      const float mean_ground = powers_[2 * channels + c];
+      const float ground = mean_ground * (1.0f + sum_[g] - row_[g]);
+      const float value = (rayleigh_90[c] + rayleigh_rise[c] * polar) * molecules +
+                          (haze_[0] * haze + terms * (haze + kFloor * unit)) * inverse_mean_ +
+                          (brightness - molecules - haze - kUsualAlbedo * mean_ground) +
+                          ground_share[c] * ground;
+      radiance[c] = std::max(value, kDarkest * brightness);
+    }
+  }
+
+ private:
+  // Σ_m cos(mφ) row_m of every field.
+  void sum_series(float cos_azimuth) {
+    std::copy_n(row_.data(), layout_.fields(), sum_.data());
+    float before = 1.0f;
+    float cosine = cos_azimuth;
+    for (std::size_t m = 1; m < Layout::kOrders; ++m) {
+      const float* order = row_.data() + layout_.offset(m);
+      for (std::size_t i = 0; i < layout_.fields_of_order(m); ++i) sum_[i] += cosine * order[i];
+      before = std::exchange(cosine, 2.0f * cos_azimuth * cosine - before);
+    }
+  }
+
+  // u_k, linear between angles that lie 0.003° apart near the sun.
+  void haze_at(float cos_scattering) {
+    const std::size_t terms = layout_.terms();
+    const auto last = static_cast<float>(tables_.haze_terms.size() / terms - 1);
+    const float angle = std::acos(std::clamp(cos_scattering, -1.0f, 1.0f));
+    const float at = std::sqrt(angle * static_cast<float>(1.0 / kPi)) * last;
+    const float below = std::min(std::floor(at), last - 1.0f);
+    const float t = at - below;
+    const float* from = tables_.haze_terms.data() + static_cast<std::size_t>(below) * terms;
+    for (std::size_t k = 0; k < terms; ++k) haze_[k] = from[k] + t * (from[terms + k] - from[k]);
+  }
+
+  const Expansion& expansion_;
+  const Layout& layout_;
+  const compact::Tables& tables_;
+  float load_;
+  float inverse_mean_;
+  std::vector<float> scratch_;  // of all that follow
+  std::span<float> row_;        // [number], at one zenith angle
+  std::span<float> sum_;        // [field], in one direction
+  std::span<float> haze_;       // u_k
+  std::span<float> powers_;     // [3][channel]
+};
+
+class CompactSky final : public Sky {
+ public:
+  CompactSky(std::shared_ptr<const Expansion> expansion, const SkyConditions& conditions, const Range& views)
+      : expansion_(std::move(expansion)),
+        altitude_km_(conditions.altitude_km),
+        aod500_(conditions.turbidity.value),
+        sun_(conditions.sun),
+        views_(views),
+        features_(expansion_->features(altitude_km_, aod500_, sun_.zenith_deg)),
+        ground_share_(expansion_->ground_share(aod500_, conditions.albedo)) {
+    const std::vector<double>& nm = expansion_->tables().wavelengths_nm;
+    if (nm.size() > 1) wavelengths_.emplace(nm.front(), nm.back(), nm[1] - nm[0]);
+    if (nm.size() == 1) wavelengths_.emplace(nm.front(), nm.front(), 5.0);
+  }
+
+  using Sky::colour;
+  void colour(std::span<const Direction> views, std::span<Yxy> colours) const override {
+    SKYLUT_CHECK_EQ(views.size(), colours.size());
+    look(views, [&](std::size_t i, std::span<const float> channels) {
+      colours[i] = to_yxy({static_cast<double>(channels[0]), static_cast<double>(channels[1]),
+                           static_cast<double>(channels[2])});
+    });
+  }
+
+  const WavelengthGrid* wavelengths() const override { return wavelengths_ ? &*wavelengths_ : nullptr; }
+
+  void radiance(std::span<const Direction> views, std::span<float> radiance) const override {
+    if (!wavelengths_) return Sky::radiance(views, radiance);
+    const std::size_t width = wavelengths_->size();
+    SKYLUT_CHECK_EQ(views.size() * width, radiance.size());
+    look(views, [&](std::size_t i, std::span<const float> channels) {
+      std::copy_n(channels.data() + 3, width, radiance.data() + i * width);
+    });
+  }
+
+ private:
+  template <class Use>
+  void look(std::span<const Direction> views, const Use& use) const {
+    Synthesis synthesis(*expansion_, aod500_);
+    std::vector<float> channels(expansion_->layout().channels());
+    const double cos_sun = std::cos(sun_.zenith_deg * kRadiansPerDegree);
+    const double sin_sun = std::sin(sun_.zenith_deg * kRadiansPerDegree);
+    double cos_view = 0.0;
+    double sin_view = 0.0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const Direction& view = views[i];
+      if (i == 0 || view.zenith_deg != views[i - 1].zenith_deg) {
+        require_within("view zenith angle", view.zenith_deg, views_);
+        synthesis.look_at(features_, expansion_->zenith().taps(view.zenith_deg, altitude_km_));
+        cos_view = std::cos(view.zenith_deg * kRadiansPerDegree);
+        sin_view = std::sin(view.zenith_deg * kRadiansPerDegree);
+      }
+      const double cos_azimuth = std::cos((view.azimuth_deg - sun_.azimuth_deg) * kRadiansPerDegree);
+      synthesis.channels({static_cast<float>(cos_azimuth),
+                          static_cast<float>(cos_view * cos_sun + sin_view * sin_sun * cos_azimuth)},
+                         ground_share_, channels);
+      use(i, channels);
+    }
+  }
+
+  std::shared_ptr<const Expansion> expansion_;
+  double altitude_km_;
+  double aod500_;
+  Direction sun_;
+  Range views_;
+  std::optional<WavelengthGrid> wavelengths_;
+  std::vector<float> features_;      // [zenith node][number]
+  std::vector<float> ground_share_;  // [channel]
+};
+
+}  // namespace
+
+CompactSkyModel::CompactSkyModel(ModelInfo info, compact::Tables tables)
+    : info_(std::move(info)), expansion_(std::make_shared<const Expansion>(std::move(tables))) {}
+
+CompactSkyModel::~CompactSkyModel() = default;
+
+std::unique_ptr<const SkyModel> CompactSkyModel::read(const ModelInfo& info, const JsonReader& model) {
+  return std::make_unique<const CompactSkyModel>(info, compact::read_tables(model));
+}
+
+std::unique_ptr<const Sky> CompactSkyModel::at(const SkyConditions& conditions) const {
+  if (conditions.turbidity.kind != info_.turbidity_kind)
+    throw InputError("{}: turbidity of kind {}: must be {}", info_.name,
+                     turbidity_kind_name(conditions.turbidity.kind),
+                     turbidity_kind_name(info_.turbidity_kind));
+  require_within("altitude", conditions.altitude_km, info_.altitude_km);
+  require_within("aod500", conditions.turbidity.value, info_.turbidity);
+  require_within("ground albedo", conditions.albedo, *info_.albedo);
+  require_within("sun zenith angle", conditions.sun.zenith_deg, info_.sun_zenith_deg);
+  return std::make_unique<const CompactSky>(expansion_, conditions, info_.view_zenith_deg);
+}
+
+}  // namespace skylut
