@@ -105,8 +105,8 @@ void FormRequest::add_to(OptionSet& options) {
               "of the ground, for hosek-wilkie: default 0,1");
   options.add_flag("--spectral", spectral_,
                    "bands instead of X, Y, Z, for hosek-wilkie; beside them, for skylut");
-  options.add("--error", error_, number({1e-3, 0.2, ""}),
-              "for skylut: what compression may leave, default 0.03");
+  options.add("--error", error_, number({5e-4, 0.02, ""}),
+              "of luminance to aim at, for skylut: default 0.0035; smaller is a larger file");
   options.add("--bands-nm", bands_, wavelengths(), "first, last and step of bands: default 380:780:40");
   computing_.add_to(options);
 }

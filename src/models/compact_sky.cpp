@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "compact/clones.hpp"
 #include "compact/expansion.hpp"
-#include "compact/fast_exp.hpp"
+#include "compact/fast_math.hpp"
 #include "compact/weighted_rows.hpp"
 #include "skylut/core/check.hpp"
 #include "skylut/core/constants.hpp"
@@ -19,6 +20,7 @@ namespace skylut {
 namespace {
 
 using compact::Expansion;
+using compact::fast_acos;
 using compact::fast_exp;
 using compact::Layout;
 using compact::SplineTaps;
@@ -37,26 +39,48 @@ struct View {
   float cos_scattering;
 };
 
+/// Any number of channels and terms.
+struct AnyShape {
+  using Numbers = std::vector<float>;
+  static Numbers numbers(std::size_t count) { return Numbers(count); }
+  explicit AnyShape(const Layout& of) : layout(of) {}
+  const Layout& layout;
+};
+
+/// X, Y, Z and five terms, known to the compiler.
+struct ColourShape {
+  using Numbers = std::array<float, 141>;
+  static Numbers numbers(std::size_t) { return {}; }
+  explicit ColourShape(const Layout&) {}
+  static constexpr Layout layout{3, 5};
+  static bool fits(const Layout& other) {
+    return other.channels() == layout.channels() && other.terms() == layout.terms();
+  }
+};
+
 /// Works out the channels of one direction after another.
+template <class Shape>
 class Synthesis {
  public:
   Synthesis(const Expansion& expansion, double aod500)
       : expansion_(expansion),
-        layout_(expansion.layout()),
+        shape_(expansion.layout()),
         tables_(expansion.tables()),
         load_(static_cast<float>(std::max(aod500, kLeastLoad))),
         inverse_mean_(static_cast<float>(1.0 / tables_.haze_mean)),
-        scratch_(layout_.size() + layout_.fields() + layout_.terms() + 3 * layout_.channels()) {
+        scratch_(Shape::numbers(shape_.layout.size() + shape_.layout.fields() + shape_.layout.terms() +
+                                4 * shape_.layout.channels())) {
     std::span<float> left(scratch_);
     const auto take = [&left](std::size_t count) {
       const std::span<float> taken = left.first(count);
       left = left.subspan(count);
       return taken;
     };
-    row_ = take(layout_.size());
-    sum_ = take(layout_.fields());
-    haze_ = take(layout_.terms());
-    powers_ = take(3 * layout_.channels());
+    row_ = take(shape_.layout.size());
+    sum_ = take(shape_.layout.fields());
+    haze_ = take(shape_.layout.terms());
+    powers_ = take(3 * shape_.layout.channels());
+    radiance_ = take(shape_.layout.channels());
   }
   Synthesis(const Synthesis&) = delete;
   Synthesis& operator=(const Synthesis&) = delete;
@@ -65,21 +89,23 @@ class Synthesis {
   void look_at(std::span<const float> features, const SplineTaps& taps) {
     float weight[4];
     std::copy_n(taps.weight, 4, weight);
-    weighted_rows(weight, features.data() + taps.first * layout_.size(), row_);
+    weighted_rows(weight, features.data() + taps.first * shape_.layout.size(), row_);
   }
 
-  /// @param radiance  [channel]
-  void channels(const View& view, std::span<const float> ground_share, std::span<float> radiance) {
+  /// What channels() works out. [channel]
+  std::span<float> radiance() { return radiance_; }
+
+  void channels(const View& view, std::span<const float> ground_share) {
     sum_series(view.cos_azimuth);
     haze_at(view.cos_scattering);
-    const std::size_t channels = layout_.channels();
+    const std::size_t channels = shape_.layout.channels();
     // Three exponentials per channel: brightness, haze, ground's mean. [channel], [channel], [channel]
     for (std::size_t c = 0; c < channels; ++c) {
       const bool first = c == Layout::kY;
-      powers_[c] = sum_[0] + (first ? 0.0f : sum_[layout_.ratio(Layout::other(c))]);
-      powers_[channels + c] = sum_[layout_.haze(c)];
-      powers_[2 * channels + c] =
-          row_[0] + (first ? 0.0f : row_[layout_.ratio(Layout::other(c))]) + row_[layout_.ground(c)];
+      powers_[c] = sum_[0] + (first ? 0.0f : sum_[shape_.layout.ratio(Layout::other(c))]);
+      powers_[channels + c] = sum_[shape_.layout.haze(c)];
+      powers_[2 * channels + c] = row_[0] + (first ? 0.0f : row_[shape_.layout.ratio(Layout::other(c))]) +
+                                  row_[shape_.layout.ground(c)];
     }
     for (float& power : powers_) power = fast_exp(power);
     const std::span<const float> rayleigh_90 = expansion_.rayleigh_90();
@@ -88,40 +114,41 @@ class Synthesis {
     constexpr auto kFloor = static_cast<float>(Layout::kFloor);
     for (std::size_t c = 0; c < channels; ++c) {
       const float brightness = powers_[c];
-      const float molecules = sum_[layout_.molecules(c)] * brightness;
+      const float molecules = sum_[shape_.layout.molecules(c)] * brightness;
       const float unit = load_ * brightness;
       const float haze = std::max(powers_[channels + c] - kFloor, 0.0f) * unit;
       float terms = 0.0f;
-      for (std::size_t k = 1; k < layout_.terms(); ++k) terms += haze_[k] * sum_[layout_.term(k, c)];
-      const std::size_t g = layout_.ground(c);
+      for (std::size_t k = 1; k < shape_.layout.terms(); ++k)
+        terms += haze_[k] * sum_[shape_.layout.term(k, c)];
+      const std::size_t g = shape_.layout.ground(c);
       const float mean_ground = powers_[2 * channels + c];
       const float ground = mean_ground * (1.0f + sum_[g] - row_[g]);
       const float value = (rayleigh_90[c] + rayleigh_rise[c] * polar) * molecules +
                           (haze_[0] * haze + terms * (haze + kFloor * unit)) * inverse_mean_ +
                           (brightness - molecules - haze - kUsualAlbedo * mean_ground) +
                           ground_share[c] * ground;
-      radiance[c] = std::max(value, kDarkest * brightness);
+      radiance_[c] = std::max(value, kDarkest * brightness);
     }
   }
 
  private:
   // Σ_m cos(mφ) row_m of every field.
   void sum_series(float cos_azimuth) {
-    std::copy_n(row_.data(), layout_.fields(), sum_.data());
+    for (std::size_t i = 0; i < shape_.layout.fields(); ++i) sum_[i] = row_[i];
     float before = 1.0f;
     float cosine = cos_azimuth;
     for (std::size_t m = 1; m < Layout::kOrders; ++m) {
-      const float* order = row_.data() + layout_.offset(m);
-      for (std::size_t i = 0; i < layout_.fields_of_order(m); ++i) sum_[i] += cosine * order[i];
+      const float* order = row_.data() + shape_.layout.offset(m);
+      for (std::size_t i = 0; i < shape_.layout.fields_of_order(m); ++i) sum_[i] += cosine * order[i];
       before = std::exchange(cosine, 2.0f * cos_azimuth * cosine - before);
     }
   }
 
   // u_k, linear between angles that lie 0.003° apart near the sun.
   void haze_at(float cos_scattering) {
-    const std::size_t terms = layout_.terms();
+    const std::size_t terms = shape_.layout.terms();
     const auto last = static_cast<float>(tables_.haze_terms.size() / terms - 1);
-    const float angle = std::acos(std::clamp(cos_scattering, -1.0f, 1.0f));
+    const float angle = fast_acos(cos_scattering);
     const float at = std::sqrt(angle * static_cast<float>(1.0 / kPi)) * last;
     const float below = std::min(std::floor(at), last - 1.0f);
     const float t = at - below;
@@ -130,16 +157,27 @@ class Synthesis {
   }
 
   const Expansion& expansion_;
-  const Layout& layout_;
+  [[no_unique_address]] Shape shape_;
   const compact::Tables& tables_;
   float load_;
   float inverse_mean_;
-  std::vector<float> scratch_;  // of all that follow
-  std::span<float> row_;        // [number], at one zenith angle
-  std::span<float> sum_;        // [field], in one direction
-  std::span<float> haze_;       // u_k
-  std::span<float> powers_;     // [3][channel]
+  typename Shape::Numbers scratch_;  // of all that follow
+  std::span<float> row_;             // [number], at one zenith angle
+  std::span<float> sum_;             // [field], in one direction
+  std::span<float> haze_;            // u_k
+  std::span<float> powers_;          // [3][channel]
+  std::span<float> radiance_;        // [channel]
 };
+
+SKYLUT_CLONES void synthesise(Synthesis<ColourShape>& synthesis, const View& view,
+                              std::span<const float> ground_share) {
+  synthesis.channels(view, ground_share);
+}
+
+SKYLUT_CLONES void synthesise(Synthesis<AnyShape>& synthesis, const View& view,
+                              std::span<const float> ground_share) {
+  synthesis.channels(view, ground_share);
+}
 
 class CompactSky final : public Sky {
  public:
@@ -171,7 +209,7 @@ class CompactSky final : public Sky {
     if (!wavelengths_) return Sky::radiance(views, radiance);
     const std::size_t width = wavelengths_->size();
     SKYLUT_CHECK_EQ(views.size() * width, radiance.size());
-    look(views, [&](std::size_t i, std::span<const float> channels) {
+    look_with<AnyShape>(views, [&](std::size_t i, std::span<const float> channels) {
       std::copy_n(channels.data() + 3, width, radiance.data() + i * width);
     });
   }
@@ -179,8 +217,14 @@ class CompactSky final : public Sky {
  private:
   template <class Use>
   void look(std::span<const Direction> views, const Use& use) const {
-    Synthesis synthesis(*expansion_, aod500_);
-    std::vector<float> channels(expansion_->layout().channels());
+    if (ColourShape::fits(expansion_->layout())) return look_with<ColourShape>(views, use);
+    look_with<AnyShape>(views, use);
+  }
+
+  template <class Shape, class Use>
+  void look_with(std::span<const Direction> views, const Use& use) const {
+    Synthesis<Shape> synthesis(*expansion_, aod500_);
+    const std::span<float> channels = synthesis.radiance();
     const double cos_sun = std::cos(sun_.zenith_deg * kRadiansPerDegree);
     const double sin_sun = std::sin(sun_.zenith_deg * kRadiansPerDegree);
     double cos_view = 0.0;
@@ -191,12 +235,13 @@ class CompactSky final : public Sky {
         require_within("view zenith angle", view.zenith_deg, views_);
         synthesis.look_at(features_, expansion_->zenith().taps(view.zenith_deg, altitude_km_));
         cos_view = std::cos(view.zenith_deg * kRadiansPerDegree);
-        sin_view = std::sin(view.zenith_deg * kRadiansPerDegree);
+        sin_view = std::sqrt(std::max(0.0, 1.0 - cos_view * cos_view));
       }
       const double cos_azimuth = std::cos((view.azimuth_deg - sun_.azimuth_deg) * kRadiansPerDegree);
-      synthesis.channels({static_cast<float>(cos_azimuth),
-                          static_cast<float>(cos_view * cos_sun + sin_view * sin_sun * cos_azimuth)},
-                         ground_share_, channels);
+      synthesise(synthesis,
+                 {static_cast<float>(cos_azimuth),
+                  static_cast<float>(cos_view * cos_sun + sin_view * sin_sun * cos_azimuth)},
+                 ground_share_);
       use(i, channels);
     }
   }

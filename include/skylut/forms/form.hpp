@@ -16,7 +16,7 @@ struct FormOptions {
   bool spectral = false;  ///< bands instead of colours, of forms that can have either
   /// Bands of the forms that have bands.
   WavelengthGrid bands = WavelengthGrid(380.0, 780.0, 40.0);
-  double error = 0.03;                    ///< that compression may leave, see CompactFormOptions::error
+  double error = 0.0035;                  ///< aimed at by the form that can choose, see CompactFormOptions
   std::vector<double> albedos{0.0, 1.0};  ///< nodes of the forms that have an albedo, ascending, in [0, 1]
 };
 

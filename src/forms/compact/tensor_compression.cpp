@@ -18,7 +18,7 @@ using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMa
 
 /// Share of the squared tolerance that the four axes may leave out, each a quarter of it, and rounding.
 constexpr double kAxesShare = 0.3;
-constexpr double kRoundingShare = 0.2;
+constexpr double kRoundingShare = 0.3;
 /// Columns of the first sketch; doubled where they do not suffice.
 constexpr Eigen::Index kFirstSketch = 256;
 /// Views onto the ground count less than the sky.
@@ -209,7 +209,7 @@ double rounding_step(const Cores& cores, double may_leave) {
 
 }  // namespace
 
-Compression compress(const TrainingFields& fields, double tolerance, Tables& tables) {
+void compress(const TrainingFields& fields, double tolerance, Tables& tables) {
   const Layout layout = tables.layout();
   const std::size_t numbers = layout.size();
   const std::size_t zenith_nodes = fields.zenith.size();
@@ -248,8 +248,7 @@ Compression compress(const TrainingFields& fields, double tolerance, Tables& tab
   Cores cores = split(tensor, may_leave * (1.0 - kAxesShare - kRoundingShare));
   tables.step = rounding_step(cores, may_leave * kRoundingShare);
 
-  const auto rank = static_cast<std::size_t>(cores.conditions.cols());
-  tables.rank = rank;
+  tables.rank = static_cast<std::size_t>(cores.conditions.cols());
   const Matrix by_rank = cores.conditions.transpose();
   tables.condition_core.assign(by_rank.data(), by_rank.data() + by_rank.size());
   tables.feature_core.assign(cores.features.data(), cores.features.data() + cores.features.size());
@@ -273,7 +272,6 @@ Compression compress(const TrainingFields& fields, double tolerance, Tables& tab
   tables.zenith = filtered(zenith_filter, unweighted);
   const Matrix filtered_mean = (zenith_filter * mean.cast<double>()).cast<float>();
   tables.mean.assign(filtered_mean.data(), filtered_mean.data() + filtered_mean.size());
-  return {rank, tolerance};
 }
 
 }  // namespace skylut::compact

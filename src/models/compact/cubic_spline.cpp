@@ -11,6 +11,7 @@ CubicSpline::CubicSpline(const std::vector<double>& nodes) {
   knots_.assign(4, nodes.front());
   knots_.insert(knots_.end(), nodes.begin() + 2, nodes.end() - 2);
   knots_.insert(knots_.end(), 4, nodes.back());
+  for (std::size_t i = 0; i < nodes.size(); ++i) whole_ = whole_ && nodes[i] == static_cast<double>(i);
   // Each cubic from its values at t = 0, 1/3, 2/3 and 1.
   for (std::size_t span = 3; span < size(); ++span) {
     const double length = knots_[span + 1] - knots_[span];
@@ -23,9 +24,10 @@ CubicSpline::CubicSpline(const std::vector<double>& nodes) {
       const double v1 = at[1][b];
       const double v2 = at[2][b];
       const double v3 = at[3][b];
-      piece.cubic[b] = {v0, (-11.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) / 2.0,
-                        (18.0 * v0 - 45.0 * v1 + 36.0 * v2 - 9.0 * v3) / 2.0,
-                        (-9.0 * v0 + 27.0 * v1 - 27.0 * v2 + 9.0 * v3) / 2.0};
+      piece.cubic[0][b] = v0;
+      piece.cubic[1][b] = (-11.0 * v0 + 18.0 * v1 - 9.0 * v2 + 2.0 * v3) / 2.0;
+      piece.cubic[2][b] = (18.0 * v0 - 45.0 * v1 + 36.0 * v2 - 9.0 * v3) / 2.0;
+      piece.cubic[3][b] = (-9.0 * v0 + 27.0 * v1 - 27.0 * v2 + 9.0 * v3) / 2.0;
     }
     piece_.push_back(piece);
   }
@@ -50,19 +52,23 @@ std::array<double, 4> CubicSpline::recurrence(std::size_t span, double x) const 
   return value;
 }
 
-SplineTaps CubicSpline::taps(double x) const {
-  x = std::clamp(x, knots_.front(), knots_.back());
-  // The interval: all but the last end below x or at it.
+std::size_t CubicSpline::interval(double x) const {
+  // Of whole numbers the first and the last two share an interval.
+  if (whole_) return std::min(static_cast<std::size_t>(std::max(x - 1.0, 0.0)), piece_.size() - 1);
   const auto above = std::upper_bound(piece_.begin() + 1, piece_.end(), x,
                                       [](double value, const Piece& piece) { return value < piece.from; });
-  const auto index = static_cast<std::size_t>(above - piece_.begin()) - 1;
+  return static_cast<std::size_t>(above - piece_.begin()) - 1;
+}
+
+SplineTaps CubicSpline::taps(double x) const {
+  x = std::clamp(x, knots_.front(), knots_.back());
+  const std::size_t index = interval(x);
   const Piece& piece = piece_[index];
   const double t = (x - piece.from) * piece.inverse_length;
   SplineTaps taps{index, {}};
-  for (std::size_t b = 0; b < 4; ++b) {
-    const std::array<double, 4>& c = piece.cubic[b];
-    taps.weight[b] = ((c[3] * t + c[2]) * t + c[1]) * t + c[0];
-  }
+  const auto& cubic = piece.cubic;
+  for (std::size_t b = 0; b < 4; ++b)
+    taps.weight[b] = ((cubic[3][b] * t + cubic[2][b]) * t + cubic[1][b]) * t + cubic[0][b];
   return taps;
 }
 

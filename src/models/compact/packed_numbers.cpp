@@ -13,6 +13,8 @@ namespace skylut::compact {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 std::string base64(std::span<const std::uint8_t> bytes) {
@@ -80,6 +82,7 @@ class BitReader {
     count_ -= bits;
     return value;
   }
+  std::size_t left() const { return count_ + 8 * (bytes_.size() - at_); }
 
  private:
   std::span<const std::uint8_t> bytes_;
@@ -88,53 +91,84 @@ class BitReader {
   unsigned count_ = 0;
 };
 
-constexpr unsigned kSingle = 32;  // bits of a float
-constexpr unsigned kMostBits = 24;
+constexpr unsigned kSingle = 32;    // bits of a float
+constexpr unsigned kWidthBits = 5;  // that say how many bits the numbers of a block have
+constexpr unsigned kMostBits = 24;  // of a number
+constexpr std::size_t kBlock = 16;  // numbers
+
+/// The bits of a whole number and its sign; 0 for 0.
+unsigned width_of(std::int32_t whole) {
+  return whole == 0 ? 0U
+                    : static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(std::abs(whole)))) + 1;
+}
+
+ordered_json pack_singles(std::span<const float> values) {
+  BitWriter writer;
+  for (const float value : values) writer.add(std::bit_cast<std::uint32_t>(value), kSingle);
+  return {{"count", values.size()}, {"base64", base64(writer.finish())}};
+}
+
+std::vector<float> unpack_singles(const JsonReader& place, std::span<const std::uint8_t> bytes,
+                                  std::size_t count) {
+  if (bytes.size() != 4 * count)
+    place.refuse(fmt::format("holds {} bytes: must hold {}", bytes.size(), 4 * count));
+  BitReader reader(bytes);
+  std::vector<float> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    values.push_back(std::bit_cast<float>(reader.next(kSingle)));
+    if (!std::isfinite(values.back())) place.refuse("holds what is not a number");
+  }
+  return values;
+}
 
 }  // namespace
 
-nlohmann::ordered_json pack_numbers(std::span<const float> values, double step) {
+ordered_json pack_numbers(std::span<const float> values, double step) {
   double most = 0.0;
   for (const float value : values) most = std::max(most, std::abs(static_cast<double>(value)));
-  unsigned bits = kSingle;
-  if (step > 0.0 && most / step < static_cast<double>(1U << (kMostBits - 1)) - 1.0)
-    bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(std::lround(most / step)))) + 1;
-  BitWriter writer;
+  if (!(step > 0.0) || !(most / step < static_cast<double>(1U << (kMostBits - 1)) - 1.0))
+    return pack_singles(values);
+  std::vector<std::int32_t> whole;
   for (const float value : values)
-    writer.add(bits == kSingle ? std::bit_cast<std::uint32_t>(value)
-                               : static_cast<std::uint32_t>(std::lround(static_cast<double>(value) / step)),
-               bits);
-  nlohmann::ordered_json json;
-  json["bits"] = bits;
-  if (bits != kSingle) json["step"] = step;
-  json["base64"] = base64(writer.finish());
-  return json;
+    whole.push_back(static_cast<std::int32_t>(std::lround(static_cast<double>(value) / step)));
+  BitWriter writer;
+  for (std::size_t first = 0; first < whole.size(); first += kBlock) {
+    const std::span<const std::int32_t> block =
+        std::span(whole).subspan(first, std::min(kBlock, whole.size() - first));
+    unsigned width = 0;
+    for (const std::int32_t number : block) width = std::max(width, width_of(number));
+    writer.add(width, kWidthBits);
+    for (const std::int32_t number : block)
+      if (width > 0) writer.add(static_cast<std::uint32_t>(number), width);
+  }
+  return {{"count", values.size()}, {"step", step}, {"base64", base64(writer.finish())}};
 }
 
 std::vector<float> unpack_numbers(const JsonReader& packed, std::size_t count) {
-  const double stated = packed.at("bits").number({1.0, kSingle, "bits"});
-  const auto bits = static_cast<unsigned>(stated);
-  if (stated != bits || (bits > kMostBits && bits != kSingle))
-    packed.at("bits").refuse("must be a whole number, at most 24, or 32");
-  const std::vector<std::uint8_t> bytes = bytes_of(packed.at("base64"), packed.at("base64").text());
-  const std::size_t needed = (count * bits + 7) / 8;
-  if (bytes.size() != needed)
-    packed.at("base64").refuse(fmt::format("holds {} bytes: must hold {}", bytes.size(), needed));
-  const double step = bits == kSingle ? 0.0 : packed.at("step").number();
+  if (packed.at("count").number() != static_cast<double>(count))
+    packed.at("count").refuse(fmt::format("must be {}", count));
+  const JsonReader place = packed.at("base64");
+  const std::vector<std::uint8_t> bytes = bytes_of(place, place.text());
+  if (!packed.has("step")) return unpack_singles(place, bytes, count);
+  const double step = packed.at("step").number();
   BitReader reader(bytes);
   std::vector<float> values;
   values.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t raw = reader.next(bits);
-    if (bits == kSingle) {
-      values.push_back(std::bit_cast<float>(raw));
-      if (!std::isfinite(values.back())) packed.at("base64").refuse("holds what is not a number");
-    } else {
+  for (std::size_t first = 0; first < count; first += kBlock) {
+    const std::size_t in_block = std::min(kBlock, count - first);
+    if (reader.left() < kWidthBits)
+      place.refuse(fmt::format("ends after {} numbers: must hold {}", first, count));
+    const unsigned width = reader.next(kWidthBits);
+    if (width > kMostBits || reader.left() < width * in_block)
+      place.refuse(fmt::format("ends after {} numbers: must hold {}", first, count));
+    for (std::size_t i = 0; i < in_block; ++i) {
       // The highest bit is the sign.
-      const auto whole = static_cast<std::int32_t>(raw << (32 - bits)) >> (32 - bits);
+      const std::uint32_t raw = width == 0 ? 0U : reader.next(width) << (32 - width);
+      const std::int32_t whole = width == 0 ? 0 : static_cast<std::int32_t>(raw) >> (32 - width);
       values.push_back(static_cast<float>(step * whole));
     }
   }
+  if (reader.left() >= 8) place.refuse(fmt::format("goes on: must hold {} numbers", count));
   return values;
 }
 

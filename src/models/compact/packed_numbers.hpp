@@ -10,8 +10,9 @@
 
 namespace skylut::compact {
 
-/// Numbers in a JSON file at a few bits each: base64 (RFC 4648) of a stream of whole numbers, as many bits as
-/// the largest needs, times a step; or of numbers of single precision.
+/// Numbers in a JSON file at a few bits each: base64 (RFC 4648) of a stream of bits, the lowest first. With a
+/// step, blocks of 16 whole numbers of it, each block's width in bits before them in 5 bits, the numbers in
+/// two's complement; without, numbers of single precision.
 /// @param step  > 0; what the numbers are rounded to; 0: single precision
 nlohmann::ordered_json pack_numbers(std::span<const float> values, double step);
 

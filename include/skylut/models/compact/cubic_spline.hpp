@@ -26,16 +26,18 @@ class CubicSpline {
   SplineTaps taps(double x) const;
 
  private:
-  /// The four B-splines of one interval as cubics of its own coordinate t from 0 to 1, [B-spline][power].
+  /// The four B-splines of one interval as cubics of its own coordinate t from 0 to 1, [power][B-spline].
   struct Piece {
     double from;
     double inverse_length;
     std::array<std::array<double, 4>, 4> cubic;
   };
   std::array<double, 4> recurrence(std::size_t span, double x) const;
+  std::size_t interval(double x) const;
 
   std::vector<double> knots_;
   std::vector<Piece> piece_;
+  bool whole_ = true;  // the nodes are 0, 1, 2, …
 };
 
 }  // namespace skylut::compact
