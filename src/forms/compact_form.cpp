@@ -23,10 +23,10 @@ using namespace compact;
 
 constexpr Range kError{5e-4, 0.02, ""};
 /// Of the features that compression may leave, per error of luminance: measured on skies by day.
-constexpr double kTolerancePerError = 5.7;
+constexpr double kTolerancePerError = 6.0;
 constexpr Range kMostAod{0.1, 5.0, ""};
 constexpr std::size_t kHazeTerms = 5;
-constexpr ZenithGrid::Counts kZenithNodes{14, 12, 6};
+constexpr ZenithGrid::Counts kZenithNodes{14, 12, 8};
 /// Of the stratosphere, where the aerosol has none of its own.
 constexpr double kLeastAod = 1e-3;
 /// As a factor of the one before it: loads that lie closer are left out.
@@ -35,8 +35,8 @@ constexpr double kClosest = 1.3;
 /// Close where haze lies and where the sun sets; chosen by what halving each did to held-out skies.
 Nodes nodes_of(double least_aod500, double most_aod500) {
   Nodes nodes;
-  nodes.altitudes_km = {0.0, 0.5,  1.0,  1.5,  2.0,  2.75, 3.75, 5.0, 7.0,
-                        9.5, 12.0, 14.5, 17.0, 20.0, 23.0, 26.5, 30.0};
+  nodes.altitudes_km = {0.0, 0.2, 0.5,  1.0,  1.5,  2.0,  2.75, 3.75, 5.0,
+                        7.0, 9.5, 12.0, 14.5, 17.0, 20.0, 23.0, 26.5, 30.0};
   nodes.suns_deg = {0.0,  18.0, 36.0, 50.0, 61.0, 70.0, 76.0, 80.0, 83.0, 85.0, 86.5, 88.0, 89.0, 89.5,
                     90.0, 90.5, 91.0, 91.5, 92.0, 92.5, 93.0, 93.5, 94.0, 94.5, 95.0, 95.5, 96.0};
   nodes.aod500 = {0.0, least_aod500};

@@ -25,6 +25,7 @@ using compact::fast_exp;
 using compact::Layout;
 using compact::SplineTaps;
 using compact::weighted_rows;
+using compact::ZenithGrid;
 
 /// Below this share of the sky's brightness nothing falls, whatever the table says.
 constexpr float kDarkest = 1e-3f;
@@ -188,7 +189,8 @@ class CompactSky final : public Sky {
         sun_(conditions.sun),
         views_(views),
         features_(expansion_->features(altitude_km_, aod500_, sun_.zenith_deg)),
-        ground_share_(expansion_->ground_share(aod500_, conditions.albedo)) {
+        sky_share_(expansion_->ground_share(aod500_, conditions.albedo, false)),
+        ground_share_(expansion_->ground_share(aod500_, conditions.albedo, true)) {
     const std::vector<double>& nm = expansion_->tables().wavelengths_nm;
     if (nm.size() > 1) wavelengths_.emplace(nm.front(), nm.back(), nm[1] - nm[0]);
     if (nm.size() == 1) wavelengths_.emplace(nm.front(), nm.front(), 5.0);
@@ -227,13 +229,18 @@ class CompactSky final : public Sky {
     const std::span<float> channels = synthesis.radiance();
     const double cos_sun = std::cos(sun_.zenith_deg * kRadiansPerDegree);
     const double sin_sun = std::sin(sun_.zenith_deg * kRadiansPerDegree);
+    const ZenithGrid::Counts& counts = expansion_->zenith().counts();
+    const std::size_t sky_nodes = counts.above + counts.limb;
+    std::span<const float> share = sky_share_;
     double cos_view = 0.0;
     double sin_view = 0.0;
     for (std::size_t i = 0; i < views.size(); ++i) {
       const Direction& view = views[i];
       if (i == 0 || view.zenith_deg != views[i - 1].zenith_deg) {
         require_within("view zenith angle", view.zenith_deg, views_);
-        synthesis.look_at(features_, expansion_->zenith().taps(view.zenith_deg, altitude_km_));
+        const SplineTaps taps = expansion_->zenith().taps(view.zenith_deg, altitude_km_);
+        share = taps.first >= sky_nodes ? ground_share_ : sky_share_;
+        synthesis.look_at(features_, taps);
         cos_view = std::cos(view.zenith_deg * kRadiansPerDegree);
         sin_view = std::sqrt(std::max(0.0, 1.0 - cos_view * cos_view));
       }
@@ -241,7 +248,7 @@ class CompactSky final : public Sky {
       synthesise(synthesis,
                  {static_cast<float>(cos_azimuth),
                   static_cast<float>(cos_view * cos_sun + sin_view * sin_sun * cos_azimuth)},
-                 ground_share_);
+                 share);
       use(i, channels);
     }
   }
@@ -253,7 +260,8 @@ class CompactSky final : public Sky {
   Range views_;
   std::optional<WavelengthGrid> wavelengths_;
   std::vector<float> features_;      // [zenith node][number]
-  std::vector<float> ground_share_;  // [channel]
+  std::vector<float> sky_share_;     // of the ground in the light of the sky, [channel]
+  std::vector<float> ground_share_;  // in that of the ground in view
 };
 
 }  // namespace

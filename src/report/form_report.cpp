@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "skylut/models/preetham_model.hpp"
 
 namespace skylut {
@@ -31,6 +33,23 @@ std::string error_text(const char* against, const Json& error) {
          row("Y, RMS", "rms_Y_rel", 100.0, "%") +
          row("Y, worst direction", "worst_direction_Y_rel", 100.0, "%") + row("x, RMS", "rms_x", 1.0, "") +
          row("y, RMS", "rms_y", 1.0, "");
+}
+
+// The errors that the form `skylut` states by the sun's zenith angle.
+std::string by_sun_text(const Json& error) {
+  std::string text =
+      "at held-out conditions: RMS of Y, median and worst sky; 99 of 100 directions; x, y, worst\n";
+  for (const auto& [key, name] : {std::pair("sun_0_90", "sun 0-90"), std::pair("sun_90_92", "90-92"),
+                                  std::pair("sun_92_96", "92-96")}) {
+    const Json& of = error.at(key);
+    if (of.at("skies").get<std::size_t>() == 0) continue;
+    text +=
+        fmt::format("  {:<9} {:>3} skies {:>7.2f} {:>6.2f} %  {:>6.2f} %  {:>7.4f}\n", name,
+                    of.at("skies").get<std::size_t>(), 100.0 * of.at("rms_Y_rel_median").get<double>(),
+                    100.0 * of.at("rms_Y_rel_worst").get<double>(),
+                    100.0 * of.at("direction_Y_rel_p99").get<double>(), of.at("rms_xy_worst").get<double>());
+  }
+  return text;
 }
 
 std::string linear_text(double slope, double offset) {
@@ -100,6 +119,7 @@ std::string beside_published_text(const Json& error) {
 std::string form_text(const ModelFile& file) {
   std::string text = fmt::format("{}: {}\n{}", file.form, file.info.title, domain_text(file.info));
   if (file.error.contains("held_out")) text += error_text(" held back", file.error.at("held_out"));
+  if (file.error.contains("sun_0_90")) text += by_sun_text(file.error);
   if (file.error.contains("fitted")) text += error_text(" that it was fitted to", file.error.at("fitted"));
   const std::unique_ptr<const SkyModel> model = make_model(file);
   if (const auto* const preetham = dynamic_cast<const PreethamModel*>(model.get()))

@@ -171,37 +171,41 @@ class Trainer {
     return values;
   }
 
-  /// S, from how much of a white ground's light a grey one gives: w = A (1 - S)/(1 - A S). [load][channel]
+  /// S, from how much of a white ground's light a grey one gives: w = A (1 - S)/(1 - A S); in the light of
+  /// the sky, then of the ground itself. [2][load][channel]
   std::vector<float> spherical_albedo(const SolvedColumns& grey) const {
-    const std::array view_azimuth{90.0};
-    const std::array sun_deg{54.0};
-    const std::size_t columns = black_.columns();
-    const auto light = [&](const SolvedColumns& sky) {
-      std::vector<float> values(sky.parts() * columns);
-      sky.radiance_parts(SightFan{0.0, 45.0, sun_deg, view_azimuth}, values);
-      return std::vector<float>(values.end() - static_cast<std::ptrdiff_t>(columns), values.end());
-    };
-    const std::vector<float> none = light(black_);
-    const std::vector<float> half = light(grey);
-    const std::vector<float> all = light(white_);
     std::vector<float> result;
-    for (std::size_t load = 0; load < nodes_.aod500.size(); ++load)
-      for (const std::vector<double>& weights : spectrum_.weights()) {
-        double of_grey = 0.0;
-        double of_white = 0.0;
-        for (std::size_t i = 0; i < weights.size(); ++i) {
-          const std::size_t column = load * weights.size() + i;
-          of_grey += weights[i] * static_cast<double>(half[column] - none[column]);
-          of_white += weights[i] * static_cast<double>(all[column] - none[column]);
+    for (const double zenith_deg : {45.0, 150.0}) {
+      const std::vector<float> none = diffuse_light(black_, zenith_deg);
+      const std::vector<float> half = diffuse_light(grey, zenith_deg);
+      const std::vector<float> all = diffuse_light(white_, zenith_deg);
+      for (std::size_t load = 0; load < nodes_.aod500.size(); ++load)
+        for (const std::vector<double>& weights : spectrum_.weights()) {
+          double of_grey = 0.0;
+          double of_white = 0.0;
+          for (std::size_t i = 0; i < weights.size(); ++i) {
+            const std::size_t column = load * weights.size() + i;
+            of_grey += weights[i] * static_cast<double>(half[column] - none[column]);
+            of_white += weights[i] * static_cast<double>(all[column] - none[column]);
+          }
+          const double w = of_grey / of_white;
+          result.push_back(
+              static_cast<float>(std::clamp((kGreyAlbedo - w) / (kGreyAlbedo * (1.0 - w)), 0.0, 0.9)));
         }
-        const double w = of_grey / of_white;
-        result.push_back(
-            static_cast<float>(std::clamp((kGreyAlbedo - w) / (kGreyAlbedo * (1.0 - w)), 0.0, 0.9)));
-      }
+    }
     return result;
   }
 
  private:
+  // At one zenith angle from the ground. [column]
+  static std::vector<float> diffuse_light(const SolvedColumns& sky, double zenith_deg) {
+    const std::array view_azimuth{90.0};
+    const std::array sun_deg{54.0};
+    std::vector<float> values(sky.parts() * sky.columns());
+    sky.radiance_parts(SightFan{0.0, zenith_deg, sun_deg, view_azimuth}, values);
+    return {values.end() - static_cast<std::ptrdiff_t>(sky.columns()), values.end()};
+  }
+
   void follow(const ZenithGrid& zenith, std::size_t altitude, std::size_t node,
               std::vector<float>& features) const {
     const double altitude_km = nodes_.altitudes_km[altitude];

@@ -18,7 +18,7 @@ struct TrainingFields {
   std::unique_ptr<const HazeTerms> haze;
   std::vector<double> rayleigh_0;       ///< [channel]
   std::vector<double> rayleigh_90;      ///< [channel]
-  std::vector<float> spherical_albedo;  ///< [load][channel]
+  std::vector<float> spherical_albedo;  ///< [2][load][channel], see Tables
 };
 
 /// Solves all loads at once, over a black and a white ground, and follows every line of sight once for all of

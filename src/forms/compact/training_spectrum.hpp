@@ -33,7 +33,7 @@ class TrainingSpectrum {
   std::size_t samples() const { return samples_.size(); }
   /// Of a channel, to be multiplied with the columns' radiances at unit solar irradiance. [channel][sample]
   const std::vector<std::vector<double>>& weights() const { return weights_; }
-  /// The largest relative error of X, Y, Z that the set of skies was left with, and its root mean square.
+  /// The largest relative error of X, Y, Z that the set of skies was left with.
   double colour_error() const { return colour_error_; }
 
   /// The columns at a load over a ground of an albedo.

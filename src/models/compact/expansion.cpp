@@ -100,7 +100,7 @@ std::vector<float> Expansion::features(double altitude_km, double aod500, double
   return features;
 }
 
-std::vector<float> Expansion::ground_share(double aod500, double albedo) const {
+std::vector<float> Expansion::ground_share(double aod500, double albedo, bool of_ground) const {
   const std::vector<double>& loads = tables_.nodes.aod500;
   const auto above =
       std::clamp<std::ptrdiff_t>(std::upper_bound(loads.begin(), loads.end(), aod500) - loads.begin(), 1,
@@ -108,10 +108,11 @@ std::vector<float> Expansion::ground_share(double aod500, double albedo) const {
   const auto to = static_cast<std::size_t>(above);
   const double t = std::clamp((aod500 - loads[to - 1]) / (loads[to] - loads[to - 1]), 0.0, 1.0);
   const std::size_t channels = layout_.channels();
+  const float* S_of = tables_.spherical_albedo.data() + (of_ground ? loads.size() * channels : 0);
   std::vector<float> share;
   for (std::size_t c = 0; c < channels; ++c) {
-    const double S = (1.0 - t) * static_cast<double>(tables_.spherical_albedo[(to - 1) * channels + c]) +
-                     t * static_cast<double>(tables_.spherical_albedo[to * channels + c]);
+    const double S = (1.0 - t) * static_cast<double>(S_of[(to - 1) * channels + c]) +
+                     t * static_cast<double>(S_of[to * channels + c]);
     share.push_back(static_cast<float>(albedo * (1.0 - S) / (1.0 - albedo * S)));
   }
   return share;

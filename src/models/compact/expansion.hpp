@@ -26,8 +26,9 @@ class Expansion {
   /// The spline coefficients of one sky, [zenith node][number of the layout].
   std::vector<float> features(double altitude_km, double aod500, double sun_zenith_deg) const;
 
-  /// S of the air, by which a ground of albedo A counts w = A (1 - S)/(1 - A S) of a white one. [channel]
-  std::vector<float> ground_share(double aod500, double albedo) const;
+  /// S of the air, by which a ground of albedo A counts w = A (1 - S)/(1 - A S) of a white one. [channel] The
+  /// light of the sky and of the ground itself have other spectra: each has its own S.
+  std::vector<float> ground_share(double aod500, double albedo, bool of_ground) const;
 
  private:
   struct LoadTaps {

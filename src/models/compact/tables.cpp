@@ -127,7 +127,7 @@ Tables read_tables(const JsonReader& model) {
   tables.rayleigh_0 = per_channel("at_0_deg");
   tables.rayleigh_90 = per_channel("at_90_deg");
   tables.spherical_albedo =
-      unpack_numbers(model.at("spherical_albedo"), tables.nodes.aod500.size() * channels);
+      unpack_numbers(model.at("spherical_albedo"), 2 * tables.nodes.aod500.size() * channels);
 
   const std::size_t zenith_nodes =
       tables.zenith_counts.above + tables.zenith_counts.limb + tables.zenith_counts.ground;

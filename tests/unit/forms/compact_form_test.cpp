@@ -27,7 +27,6 @@ SkyScene scene(double albedo) {
   description.ground_albedo = std::to_string(albedo);
   SkyScene scene;
   scene.atmosphere = std::make_shared<const Atmosphere>(build_atmosphere(test::context, description));
-  scene.wavelengths = WavelengthGrid(380.0, 780.0, 10.0);
   return scene;
 }
 
@@ -36,8 +35,8 @@ const TrainingFields& fields() {
   static const TrainingFields made = [] {
     const SkyScene of = scene(0.2);
     const TrainingSpectrum spectrum(test::context, of, nullptr, {});
-    const Nodes nodes{{0.0, 2.0, 10.0, 30.0}, {0.0, 0.005, 0.05, 0.2, 0.5}, {0.0, 40.0, 80.0, 90.0}};
-    return training_fields(test::context, of, spectrum, nodes, {16, 12, 5}, 5, {});
+    const Nodes nodes{{0.0, 2.0, 10.0, 30.0}, {0.0, 0.005, 0.05, 0.2, 0.5}, {0.0, 40.0, 80.0, 93.0}};
+    return training_fields(test::context, of, spectrum, nodes, {14, 12, 8}, 5, {});
   }();
   return made;
 }
@@ -79,22 +78,25 @@ TEST(CompactForm, IsTheSkyAtItsNodes) {
     for (const double load : {0.005, 0.2}) {
       SkyScene of = scene(albedo);
       of.turbidities = {{TurbidityKind::aod500, load}};
-      of.suns = {{40.0, 0.0}, {80.0, 0.0}};
+      of.suns = {{40.0, 0.0}, {80.0, 0.0}, {93.0, 0.0}};
       const auto solved = std::make_shared<const SolvedSky>(test::context, of, TransferOptions{});
       for (const double altitude_km : {0.0, 10.0})
         for (const Direction& sun : of.suns) {
           const ExactSky exact(solved, altitude_km, sun);
           const std::vector<Direction> views{{0.0, 0.0},   {30.0, 10.0},  {60.0, 120.0}, {75.0, 0.0},
-                                             {85.0, 50.0}, {89.0, 180.0}, {42.0, 0.0}};
+                                             {85.0, 50.0}, {89.0, 180.0}, {42.0, 0.0},   {130.0, 40.0}};
           std::vector<Xyz> expected(views.size());
           exact.colour(views, expected);
           const auto sky = model.at({altitude_km, of.turbidities.front(), albedo, sun});
           for (std::size_t i = 0; i < views.size(); ++i) {
             const Yxy found = sky->colour(views[i]);
             const Yxy wanted = to_yxy(expected[i]);
-            EXPECT_NEAR(found.Y / wanted.Y, 1.0, 6e-3) << altitude_km << ' ' << sun.zenith_deg << ' ' << i;
-            EXPECT_NEAR(found.x, wanted.x, 1e-3);
-            EXPECT_NEAR(found.y, wanted.y, 1e-3);
+            // Opposite a sun below the horizon the Earth's shadow has an edge that the series round off.
+            const bool shadow = sun.zenith_deg > 90.0 && views[i].azimuth_deg == 180.0;
+            const double bound = shadow ? 0.1 : sun.zenith_deg > 90.0 ? 3e-2 : 6e-3;
+            EXPECT_NEAR(found.Y / wanted.Y, 1.0, bound) << altitude_km << ' ' << sun.zenith_deg << ' ' << i;
+            EXPECT_NEAR(found.x, wanted.x, bound / 5.0) << altitude_km << ' ' << sun.zenith_deg << ' ' << i;
+            EXPECT_NEAR(found.y, wanted.y, bound / 5.0);
           }
         }
     }
@@ -109,13 +111,14 @@ TEST(CompactForm, CompressionLeavesOutWhatItMay) {
 }
 
 TEST(CompactForm, TheSameBytesWithAnyThreads) {
-  Context one = test::context;
-  one.threads = 1;
-  const SkyScene of = scene(0.2);
-  const TrainingSpectrum spectrum(one, of, nullptr, {});
-  const TrainingFields alone =
-      training_fields(one, of, spectrum, fields().nodes, fields().zenith.counts(), 5, {});
-  EXPECT_EQ(alone.features, fields().features);
+  SkyScene of = scene(0.2);
+  of.wavelengths = WavelengthGrid(400.0, 700.0, 50.0);
+  const TrainingSpectrum spectrum(test::context, of, nullptr, {});
+  const auto features = [&](int threads) {
+    const Nodes nodes{{0.0, 2.0, 10.0, 30.0}, {0.0, 0.005, 0.05, 0.2, 0.5}, {0.0, 40.0, 60.0, 80.0}};
+    return training_fields(test::on_threads(threads), of, spectrum, nodes, {4, 4, 4}, 2, {}).features;
+  };
+  EXPECT_EQ(features(1), features(3));
 }
 
 TEST(FeatureEncoder, SeriesOfWhatDoesNotDependOnAzimuth) {

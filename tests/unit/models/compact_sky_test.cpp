@@ -132,7 +132,7 @@ Tables plain_tables() {
   tables.haze_mean = 2.0;
   tables.rayleigh_0 = {1.5, 1.5, 1.5};
   tables.rayleigh_90 = {0.75, 0.75, 0.75};
-  tables.spherical_albedo.assign(15, 0.2f);
+  tables.spherical_albedo.assign(30, 0.2f);
   const auto ones = [](std::size_t rows) { return Basis{rows, 1, std::vector<float>(rows, 1.0f)}; };
   tables.load = ones(5);
   tables.altitude = ones(4);

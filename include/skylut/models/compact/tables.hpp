@@ -39,11 +39,12 @@ struct Tables {
   std::vector<double> wavelengths_nm;  ///< of the channels after the third
   std::size_t terms = 0;               ///< u_k of the haze's phase functions
 
-  std::vector<float> haze_terms;        ///< [angle][k], Θ = π (i/(n-1))²
-  double haze_mean = 0.0;               ///< ū_0
-  std::vector<double> rayleigh_0;       ///< [channel] P(0°)
-  std::vector<double> rayleigh_90;      ///< [channel] P(90°)
-  std::vector<float> spherical_albedo;  ///< S of the air [load][channel]
+  std::vector<float> haze_terms;    ///< [angle][k], Θ = π (i/(n-1))²
+  double haze_mean = 0.0;           ///< ū_0
+  std::vector<double> rayleigh_0;   ///< [channel] P(0°)
+  std::vector<double> rayleigh_90;  ///< [channel] P(90°)
+  std::vector<float>
+      spherical_albedo;  ///< S of the air, for the sky and for the ground in view [2][load][channel]
 
   Basis load;
   Basis altitude;
