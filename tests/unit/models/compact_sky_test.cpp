@@ -12,6 +12,7 @@
 #include "skylut/core/json_reader.hpp"
 #include "skylut/models/compact/cubic_spline.hpp"
 #include "skylut/models/compact/tables.hpp"
+#include "support/compact_domain.hpp"
 
 namespace skylut {
 namespace {
@@ -154,23 +155,10 @@ Tables plain_tables() {
   return tables;
 }
 
-ModelInfo info() {
-  return {.name = "test",
-          .title = "test",
-          .source = "test",
-          .quantities = "Y, x, y",
-          .altitude_km = {0.0, 30.0, "km"},
-          .turbidity_kind = TurbidityKind::aod500,
-          .turbidity = {0.0, 1.0, ""},
-          .albedo = Range{0.0, 1.0, ""},
-          .sun_zenith_deg = {0.0, 96.0, "deg"},
-          .view_zenith_deg = {0.0, 180.0, "deg"}};
-}
-
 TEST(CompactSky, AddsUpItsParts) {
   // t = 1000, R = 400, a = 0.3/0.5 · l · t = 300 at l = 0.5, G = 500, and so D = 1000 - 400 - 300 - 100 =
   // 200; haze and diffuse light are isotropic, w = A (1 - S)/(1 - A S).
-  const CompactSkyModel model(info(), plain_tables());
+  const CompactSkyModel model(test::compact_domain(), plain_tables());
   SkyConditions conditions;
   conditions.turbidity = {TurbidityKind::aod500, 0.5};
   conditions.sun = {0.0, 0.0};
@@ -188,14 +176,14 @@ TEST(CompactSky, IsNeverNegative) {
   const Layout layout = tables.layout();
   for (std::size_t node = 0; node < 12; ++node)
     tables.mean[node * layout.size() + layout.at(0, layout.molecules(1))] = -50.0f;
-  const CompactSkyModel model(info(), tables);
+  const CompactSkyModel model(test::compact_domain(), tables);
   SkyConditions conditions;
   conditions.turbidity = {TurbidityKind::aod500, 0.5};
   EXPECT_GT(model.at(conditions)->colour({10.0, 0.0}).Y, 0.0);
 }
 
 TEST(CompactSky, RefusesWhatLiesOutside) {
-  const CompactSkyModel model(info(), plain_tables());
+  const CompactSkyModel model(test::compact_domain(), plain_tables());
   SkyConditions conditions;
   conditions.turbidity = {TurbidityKind::aod500, 1.5};
   EXPECT_THROW(model.at(conditions), InputError);
@@ -211,8 +199,8 @@ TEST(CompactSky, RefusesWhatLiesOutside) {
 TEST(CompactSky, ReadsBackWhatItWrites) {
   const Tables tables = plain_tables();
   const nlohmann::ordered_json json = tables_json(tables);
-  const auto read = CompactSkyModel::read(info(), JsonReader(json, "file"));
-  const CompactSkyModel model(info(), tables);
+  const auto read = CompactSkyModel::read(test::compact_domain(), JsonReader(json, "file"));
+  const CompactSkyModel model(test::compact_domain(), tables);
   SkyConditions conditions;
   conditions.turbidity = {TurbidityKind::aod500, 0.3};
   conditions.sun = {50.0, 10.0};
@@ -220,10 +208,10 @@ TEST(CompactSky, ReadsBackWhatItWrites) {
               0.1);
   nlohmann::ordered_json broken = json;
   broken["rank"] = 2;
-  EXPECT_THROW(CompactSkyModel::read(info(), JsonReader(broken, "file")), InputError);
+  EXPECT_THROW(CompactSkyModel::read(test::compact_domain(), JsonReader(broken, "file")), InputError);
   broken = json;
   broken["altitudes_km"] = {0.0, 2.0, 1.0, 30.0};
-  EXPECT_THROW(CompactSkyModel::read(info(), JsonReader(broken, "file")), InputError);
+  EXPECT_THROW(CompactSkyModel::read(test::compact_domain(), JsonReader(broken, "file")), InputError);
 }
 
 }  // namespace
