@@ -175,6 +175,8 @@ void FormRequest::run(const fs::path& input, const fs::path& out, const std::str
   if (bands_) options.bands = *bands_;
   if (albedos_) options.albedos = *albedos_;
   std::sort(options.albedos.begin(), options.albedos.end());
+  if (std::adjacent_find(options.albedos.begin(), options.albedos.end()) != options.albedos.end())
+    throw InputError("--albedos: must not hold a value twice");
 
   if (!is_table(input)) refuse_axes_of_maps(input);
   const Input opened = is_table(input) ? open_table(context, input, command_line,

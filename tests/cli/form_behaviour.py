@@ -100,6 +100,7 @@ class Form(unittest.TestCase):
                 (["--form", "perez", "--spectral", "-o", "m.json"], "--spectral: .*hosek-wilkie or skylut"),
                 (["--form", "hosek-wilkie", "--error", "0.01", "-o", "m.json"], "--error: .*is for skylut"),
                 (["--form", "hosek-wilkie", "--bands-nm", "400:700:100", "-o", "m.json"], "needs --spectral"),
+                (["--form", "hosek-wilkie", "--albedos", "0,0", "-o", "m.json"], "--albedos: must not hold a value twice"),
                 (["--form", "hosek-wilkie", "--albedos", "0,1.5", "-o", "m.json"], "within 0 to 1")]:
             self.assertRegex(self.refused("fit", "sky.csv", *arguments), wrong)
 
