@@ -101,10 +101,16 @@ Direction asked_sun(EvalOptions& options, Evaluation& asked) {
   return lit.suns.front();
 }
 
-void require_in_domain(const EvalOptions& options, const Evaluation& asked) {
+void require_in_domain(const EvalOptions& options, const Evaluation& asked, bool turbidity_given) {
   if (asked.outside.empty() || options.extrapolate) return;
-  throw InputError("{}: outside what {} answers for; --extrapolate insists", fmt::join(asked.outside, ", "),
-                   options.source);
+  const bool turbidity_outside =
+      !asked.source.model().info().turbidity.holds(asked.conditions.turbidity.value);
+  throw InputError("{}: outside what {} answers for; --extrapolate insists{}", fmt::join(asked.outside, ", "),
+                   options.source,
+                   turbidity_outside && !turbidity_given
+                       ? fmt::format("; without --turbidity it is {} {}",
+                                     turbidity_kind_name(kDefaultTurbidity.kind), kDefaultTurbidity.value)
+                       : "");
 }
 
 // How the sky between a table's rows came about.
@@ -157,7 +163,7 @@ Evaluation evaluated(const Context& context, EvalOptions& options, const OptionS
   asked.conditions.albedo = asked_albedo(options, asked.source);
   asked.conditions.sun = asked_sun(options, asked);
   asked.outside = outside_domain(info, asked.conditions);
-  require_in_domain(options, asked);
+  require_in_domain(options, asked, given.given("--turbidity"));
   asked.sky = asked.source.model().at(asked.conditions);
   asked.provenance = provenance_of(context, options, asked, given.command_line("skylut eval"));
   return asked;

@@ -136,7 +136,8 @@ Command fit_command() {
   command.notes =
       "FILE: columns zenith_deg, azimuth_deg or gamma_deg, Y_cd_m2 (or Y), x, y; one row must be the "
       "zenith.\n"
-      "With --form: a sky.csv, a folder of them, or a table's folder, which stands for its conditions.";
+      "With --form: a sky.csv, a folder of them, or a table's folder, which stands for its conditions.\n" +
+      FormRequest::forms_text();
   command.examples = {"skylut map -o sky.csv --sun-zenith-deg 45 --sun-azimuth-deg 90", "skylut fit sky.csv",
                       "skylut fit sky.csv --sun-zenith-deg 45 --sun-azimuth-deg 90 --json",
                       "skylut fit sky.csv --form perez -o sky.json"};

@@ -13,6 +13,7 @@
 #include "output.hpp"
 #include "recorded_table.hpp"
 #include "skylut/core/json_reader.hpp"
+#include "skylut/core/suggestion.hpp"
 #include "skylut/forms/form.hpp"
 #include "skylut/forms/map_skies.hpp"
 #include "skylut/forms/simulated_skies.hpp"
@@ -142,15 +143,40 @@ void FormRequest::refuse_axes_of_maps(const fs::path& input) const {
       throw InputError("{}: {} has the skies that it has: must be a table folder", name, input.string());
 }
 
+std::string FormRequest::forms_text() {
+  std::string text = "Forms:";
+  for (const Form* const form : forms()) text += fmt::format("\n  {:<15} {}", form->name(), form->summary());
+  return text;
+}
+
+void FormRequest::refuse_what_it_ignores(const Form& form) const {
+  const auto refuse_unless = [&](bool given, bool FormHeeds::*heeded, const char* option) {
+    if (!given || form.heeds().*heeded) return;
+    std::vector<std::string> others;
+    for (const Form* const other : forms())
+      if (other->heeds().*heeded) others.emplace_back(other->name());
+    throw InputError("{}: changes nothing of form {}: is for {}", option, form.name(), listed(others));
+  };
+  refuse_unless(spectral_, &FormHeeds::spectral, "--spectral");
+  refuse_unless(bands_.has_value(), &FormHeeds::bands, "--bands-nm");
+  refuse_unless(error_.has_value(), &FormHeeds::error, "--error");
+  refuse_unless(albedos_.has_value(), &FormHeeds::albedos, "--albedos");
+  if (bands_ && form.heeds().spectral && !spectral_)
+    throw InputError("--bands-nm: needs --spectral with form {}", form.name());
+}
+
 void FormRequest::run(const fs::path& input, const fs::path& out, const std::string& command_line) const {
   const Context context = program_context(computing_);
   const Form& form = form_named(*form_);
+  refuse_what_it_ignores(form);
   FormOptions options;
   options.spectral = spectral_;
   if (error_) options.error = *error_;
   if (bands_) options.bands = *bands_;
   if (albedos_) options.albedos = *albedos_;
   std::sort(options.albedos.begin(), options.albedos.end());
+  if (std::adjacent_find(options.albedos.begin(), options.albedos.end()) != options.albedos.end())
+    throw InputError("--albedos: must not hold a value twice");
 
   if (!is_table(input)) refuse_axes_of_maps(input);
   const Input opened = is_table(input) ? open_table(context, input, command_line,

@@ -10,12 +10,19 @@
 #include "skylut/core/wavelength_grid.hpp"
 #include "skylut/sky/sky_scene.hpp"
 
+namespace skylut {
+class Form;
+}
+
 namespace skylut::cli {
 
 /// The options of `skylut fit INPUT --form NAME`.
 class FormRequest {
  public:
   void add_to(OptionSet& options);
+
+  /// The forms there are, a line each, for --help.
+  static std::string forms_text();
 
   /// Whether --form was given.
   bool wanted() const { return form_.has_value(); }
@@ -30,6 +37,7 @@ class FormRequest {
  private:
   void put_axes_into(SkyScene& scene) const;
   void refuse_axes_of_maps(const std::filesystem::path& input) const;
+  void refuse_what_it_ignores(const Form& form) const;
 
   std::optional<std::string> form_;
   std::optional<std::string> grid_;

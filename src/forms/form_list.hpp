@@ -14,6 +14,7 @@ class PerezRowsForm final : public Form {
 
   const char* name() const override;
   const char* summary() const override;
+  FormHeeds heeds() const override { return {.bands = channels_ == Channels::bands}; }
   ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
   std::vector<SoughtSky> held_out(const SkySupply& supply, const ModelFile& fitted) const override;
 
@@ -36,6 +37,7 @@ class HosekWilkieForm final : public Form {
   const char* summary() const override {
     return "Hosek and Wilkie 2012: nine coefficients, quintic in the sun";
   }
+  FormHeeds heeds() const override { return {.spectral = true, .bands = true, .albedos = true}; }
   ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
 };
 
@@ -44,6 +46,7 @@ class CompactForm final : public Form {
  public:
   const char* name() const override { return "skylut"; }
   const char* summary() const override { return "the sky's smooth parts, compressed over all conditions"; }
+  FormHeeds heeds() const override { return {.spectral = true, .bands = true, .error = true}; }
   ModelFile fit(const Context& context, const SkySupply& supply, const FormOptions& options) const override;
   /// None: it states an error of its own, by lines of sight, over its whole domain.
   std::vector<SoughtSky> held_out(const SkySupply&, const ModelFile&) const override { return {}; }

@@ -39,7 +39,7 @@ SkySource SkySource::open(const std::string& text, const TableModelOptions& opti
       throw InputError("'{}': must be the folder or table.csv of a table, a model file, or one of {}{}", text,
                        fmt::join(names, ", "), suggested(text, names));
     source.model_ = make_sky_model(text);
-  } else if (fs::is_directory(path, ignored) || !is_model_file(path)) {
+  } else if (fs::is_directory(path, ignored) || !(is_model_file(path) || path.extension() == ".json")) {
     auto table = std::make_unique<const TableModel>(Table::read(path), options);
     source.table_ = table.get();
     source.model_ = std::move(table);

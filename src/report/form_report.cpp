@@ -12,13 +12,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string range_text(const Range& range) {
+  if (range.lowest == range.highest) return fmt::format("{}", range.lowest);
+  return fmt::format("{}-{}", range.lowest, range.highest);
+}
+
 std::string domain_text(const ModelInfo& info) {
-  std::string text =
-      fmt::format("altitude {}-{} km, {} {}-{}", info.altitude_km.lowest, info.altitude_km.highest,
-                  turbidity_kind_name(info.turbidity_kind), info.turbidity.lowest, info.turbidity.highest);
-  if (info.albedo) text += fmt::format(", albedo {}-{}", info.albedo->lowest, info.albedo->highest);
-  return text + fmt::format(", sun {}-{} deg from the zenith, views to {} deg\n", info.sun_zenith_deg.lowest,
-                            info.sun_zenith_deg.highest, info.view_zenith_deg.highest);
+  std::string text = fmt::format("altitude {} km, {} {}", range_text(info.altitude_km),
+                                 turbidity_kind_name(info.turbidity_kind), range_text(info.turbidity));
+  if (info.albedo) text += fmt::format(", albedo {}", range_text(*info.albedo));
+  return text + fmt::format(", sun {} deg from the zenith, views to {} deg\n",
+                            range_text(info.sun_zenith_deg), info.view_zenith_deg.highest);
 }
 
 std::string error_text(const char* against, const Json& error) {
@@ -28,8 +32,9 @@ std::string error_text(const char* against, const Json& error) {
                        scale * part.at("median").get<double>(), scale * part.at("p90").get<double>(),
                        scale * part.at("worst").get<double>(), unit);
   };
-  return fmt::format("against {} skies{}:  median, 90th percentile, worst sky\n",
-                     error.at("skies").get<std::size_t>(), against) +
+  const std::size_t skies = error.at("skies").get<std::size_t>();
+  return fmt::format("against {} {}{}:  median, 90th percentile, worst sky\n", skies,
+                     skies == 1 ? "sky" : "skies", against) +
          row("Y, RMS", "rms_Y_rel", 100.0, "%") +
          row("Y, worst direction", "worst_direction_Y_rel", 100.0, "%") + row("x, RMS", "rms_x", 1.0, "") +
          row("y, RMS", "rms_y", 1.0, "");

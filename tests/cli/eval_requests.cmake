@@ -27,3 +27,7 @@ skylut_refuses(eval_picture_full 1 "sky.exr: cannot write: No space left" eval p
   --turbidity 3 --sun-zenith-deg 60 --size 4 LINK sky.exr=/dev/full)
 skylut_refuses(eval_table_without_columns 2 "table.csv: no column .altitude_km." eval table.csv -o sky.csv
   --sun-zenith-deg 60 INPUT "table.csv=a,b\n1,2\n")
+skylut_refuses(eval_default_turbidity_outside 2 "turbidity .preetham-t.*without --turbidity it is aod500 0.1" eval
+  preetham1999 -o sky.csv --sun-zenith-deg 60)
+skylut_refuses(eval_json_of_something_else 2 "other.json.*must be a model file" eval other.json -o sky.csv
+  --sun-zenith-deg 60 INPUT "other.json={\"altitude_km\": 3}\n")

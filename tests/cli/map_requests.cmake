@@ -92,7 +92,7 @@ skylut_refuses(map_series_table_is_a_folder 2 "sky.csv.*directory" map -o sky.ex
 skylut_refuses(map_misspelt 2 "--sun-zenith: unknown option, did you mean --sun-zenith-deg.*skylut map --help" map
   -o sky.csv --sun-zenith 45)
 skylut_refuses(map_out_of_memory 1 "ran out of memory|not enough memory" map -o sky.csv
-  --sun-zenith-deg 45 --wavelengths-nm 400:700:100 --quality draft --threads 1 MEMORY_KB 24000)
+  --sun-zenith-deg 45 --wavelengths-nm 400:700:100 --quality draft --threads 1 MEMORY_KB 42000)
 skylut_prints(map_plain_numbers "sun 45:270 deg" map -o SKY.CSV --sun-zenith-deg +4.5e1 --sun-azimuth-deg -90
   --turbidity " 0.1" --wavelengths-nm 400:700:100 --quality draft)
 skylut_prints(map_picture_in_capitals "wrote SKY.EXR" map -o SKY.EXR --sun-zenith-deg 45 --size 4

@@ -20,6 +20,14 @@ struct FormOptions {
   std::vector<double> albedos{0.0, 1.0};  ///< nodes of the forms that have an albedo, ascending, in [0, 1]
 };
 
+/// Which of FormOptions change what a form makes.
+struct FormHeeds {
+  bool spectral = false;
+  bool bands = false;
+  bool error = false;
+  bool albedos = false;
+};
+
 /// A kind of sky model that skylut fits: what its parameters are, their bounds, where to start, how to
 /// evaluate it and where it holds. fit_form() knows none of this. [models.md]
 class Form {
@@ -28,6 +36,7 @@ class Form {
 
   virtual const char* name() const = 0;     ///< as on the command line
   virtual const char* summary() const = 0;  ///< a line for --help
+  virtual FormHeeds heeds() const { return {}; }
 
   /// Fits the form to skies of its own choice, or to those that the supply was given.
   /// @return  without error, or with what only the form can say of it
