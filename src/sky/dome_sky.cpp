@@ -82,9 +82,9 @@ DomeSky::DomeSky(std::shared_ptr<const SolvedSky> solved, double altitude_km, do
 DomeSky::~DomeSky() = default;
 DomeSky::DomeSky(DomeSky&&) noexcept = default;
 
-std::vector<DomeSky> DomeSky::under_suns(const Context& context, std::shared_ptr<const SolvedSky> solved,
-                                         double altitude_km, std::span<const double> sun_zeniths_deg,
-                                         double sun_distance_au) {
+std::vector<DomeSky> DomeSky::under_suns(const Context& context,
+                                         const std::shared_ptr<const SolvedSky>& solved, double altitude_km,
+                                         std::span<const double> sun_zeniths_deg, double sun_distance_au) {
   std::vector<DomeSky> skies;
   for (const double sun_deg : sun_zeniths_deg)
     skies.push_back(DomeSky(solved, altitude_km, sun_deg, sun_distance_au));

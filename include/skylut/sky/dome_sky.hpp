@@ -30,8 +30,9 @@ class DomeSky final : public SkyLight {
   /// @param sun_distance_au  > 0
   /// @throws InputError  for values out of range
   /// @throws Cancelled   when the context asks to stop
-  static std::vector<DomeSky> under_suns(const Context& context, std::shared_ptr<const SolvedSky> solved,
-                                         double altitude_km, std::span<const double> sun_zeniths_deg,
+  static std::vector<DomeSky> under_suns(const Context& context,
+                                         const std::shared_ptr<const SolvedSky>& solved, double altitude_km,
+                                         std::span<const double> sun_zeniths_deg,
                                          double sun_distance_au = 1.0);
   ~DomeSky() override;
   DomeSky(DomeSky&&) noexcept;
