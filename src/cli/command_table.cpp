@@ -95,6 +95,7 @@ TableSampling sampling_of(const TableOptions& options) {
       throw InputError("--directions '{}': zenith_deg {}: must be at most 90 for a fit", options.directions,
                        direction.zenith_deg);
   sampling.to_horizon = options.to_horizon;
+  sampling.exact = options.scene.exact();
   if (options.to_horizon && !sampling.directions.empty())
     throw InputError("--to-horizon: needs --directions {}, as other sets end at 90 deg", kDome);
   if (options.save_maps)

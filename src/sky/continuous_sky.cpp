@@ -77,13 +77,6 @@ double relative_error(const SolvedSky& sky, std::span<const float> found, std::s
   return luminance > 0.0 ? std::max(largest, std::abs(difference) / luminance) : largest;
 }
 
-PatchDirection patch_direction(double zenith_deg, double relative_azimuth_deg, double sun_zenith_deg) {
-  const double zenith = zenith_deg * kRadiansPerDegree;
-  const double sun = sun_zenith_deg * kRadiansPerDegree;
-  const double cos_azimuth = std::cos(relative_azimuth_deg * kRadiansPerDegree);
-  return {cos_azimuth, std::cos(zenith) * std::cos(sun) + std::sin(zenith) * std::sin(sun) * cos_azimuth};
-}
-
 /// Builds the patches of one sky, in rounds: whatever is not yet within the tolerance goes into the next.
 class PatchBuilder {
  public:

@@ -28,23 +28,35 @@ void sum_series(std::span<const float> row, std::size_t width, double cos_azimut
 
 }  // namespace
 
+PatchDirection patch_direction(double zenith_deg, double relative_azimuth_deg, double sun_zenith_deg) {
+  const double zenith = zenith_deg * kRadiansPerDegree;
+  const double sun = sun_zenith_deg * kRadiansPerDegree;
+  const double cos_azimuth = std::cos(relative_azimuth_deg * kRadiansPerDegree);
+  return {cos_azimuth, std::cos(zenith) * std::cos(sun) + std::sin(zenith) * std::sin(sun) * cos_azimuth};
+}
+
 SkyPatch::SkyPatch(ZenithPanel panel, int points, int azimuths)
     : panel_(panel), x_(lobatto_points(points)), azimuths_(azimuths) {
   for (int k = 0; k < azimuths; ++k) azimuth_deg_.push_back(azimuths == 1 ? 0.0 : 180.0 * k / (azimuths - 1));
 }
 
 void SkyPatch::set_points(const SolvedSky& sky, double observer_km, double sun_zenith_deg) {
-  const std::size_t wavelengths = sky.wavelengths().size();
-  const std::size_t width = sky.parts() * wavelengths;
-  const auto azimuths = static_cast<std::size_t>(azimuths_);
   std::vector<SightLine> lines;
   for (int point = 0; point < points(); ++point)
     lines.push_back({observer_km, point_zenith_deg(point), sun_zenith_deg, azimuth_deg_});
-  std::vector<float> parts(lines.size() * width * azimuths);
+  std::vector<float> parts(lines.size() * sky.parts() * azimuth_deg_.size() * sky.wavelengths().size());
   sky.radiance_parts(lines, parts);
+  set_points(sky, parts);
+}
+
+void SkyPatch::set_points(const SolvedSky& sky, std::span<const float> parts) {
+  const std::size_t wavelengths = sky.wavelengths().size();
+  const std::size_t width = sky.parts() * wavelengths;
+  const auto azimuths = static_cast<std::size_t>(azimuths_);
+  SKYLUT_CHECK_EQ(parts.size(), x_.size() * azimuths * width);
   // The cosine transform of the first kind: c_m = 2/(N-1) Σ'' f_k cos mφ_k, the ends and the first and last m
   // by half.
-  spectral_.assign(lines.size() * azimuths * width, 0.0f);
+  spectral_.assign(parts.size(), 0.0f);
   for (std::size_t m = 0; m < azimuths; ++m)
     for (std::size_t k = 0; k < azimuths; ++k) {
       double weight = 1.0;
@@ -55,7 +67,7 @@ void SkyPatch::set_points(const SolvedSky& sky, double observer_km, double sun_z
         if (m == 0 || m + 1 == azimuths) weight *= 0.5;
       }
       const auto factor = static_cast<float>(weight);
-      for (std::size_t point = 0; point < lines.size(); ++point)
+      for (std::size_t point = 0; point < x_.size(); ++point)
         for (std::size_t part = 0; part < sky.parts(); ++part) {
           const float* from = parts.data() + ((point * sky.parts() + part) * azimuths + k) * wavelengths;
           float* to = spectral_.data() + (point * azimuths + m) * width + part * wavelengths;

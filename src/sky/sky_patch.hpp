@@ -15,6 +15,8 @@ struct PatchDirection {
   double cos_scattering;  ///< of the angle to the sun
 };
 
+PatchDirection patch_direction(double zenith_deg, double relative_azimuth_deg, double sun_zenith_deg);
+
 /// The parts of a sky's radiance in one panel of zenith angles: at every Lobatto point of the panel the
 /// coefficients of a cosine series in azimuth,
 ///   f(x, φ) = Σ_j w_j(x) Σ_m c_jm cos mφ.
@@ -34,6 +36,8 @@ class SkyPatch {
 
   /// Computes the points from lines of sight.
   void set_points(const SolvedSky& sky, double observer_km, double sun_zenith_deg);
+  /// @param parts  of the lines of sight at the points, [point][part][azimuth][wavelength]
+  void set_points(const SolvedSky& sky, std::span<const float> parts);
   /// The same as the eye sees them, from the points.
   void set_colours(const SolvedSky& sky);
 

@@ -61,27 +61,47 @@ void SolvedSky::radiance(const SightLine& line, std::span<float> radiance) const
     }
 }
 
+void SolvedSky::collect(std::span<const float> of_columns, std::size_t azimuths,
+                        std::span<float> parts) const {
+  const std::size_t width = wavelengths_.size();
+  const std::size_t columns = columns_->columns();
+  float* out = parts.data();
+  for (const std::size_t part : factors_->parts())
+    for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) {
+      const float* from = of_columns.data() + (part * azimuths + azimuth) * columns;
+      for (std::size_t i = 0; i < width; ++i) {
+        float sum = 0.0f;
+        for (std::size_t column = first_column_[i]; column < first_column_[i + 1]; ++column)
+          sum += column_weight_[column] * from[column];
+        *out++ = sum;
+      }
+    }
+}
+
 void SolvedSky::radiance_parts(std::span<const SightLine> lines, std::span<float> parts) const {
   if (lines.empty()) return;
   const std::size_t azimuths = lines.front().relative_azimuth_deg.size();
-  const std::size_t width = wavelengths_.size();
-  const std::size_t columns = columns_->columns();
-  const std::size_t all = columns_->parts();
-  SKYLUT_CHECK_EQ(parts.size(), lines.size() * this->parts() * azimuths * width);
-  std::vector<float> of_columns(lines.size() * all * azimuths * columns);
+  const std::size_t of_line = this->parts() * azimuths * wavelengths_.size();
+  const std::size_t all_of_line = columns_->parts() * azimuths * columns_->columns();
+  SKYLUT_CHECK_EQ(parts.size(), lines.size() * of_line);
+  std::vector<float> of_columns(lines.size() * all_of_line);
   columns_->radiance_parts(lines, of_columns);
-  float* out = parts.data();
   for (std::size_t line = 0; line < lines.size(); ++line)
-    for (const std::size_t part : factors_->parts())
-      for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) {
-        const float* from = of_columns.data() + ((line * all + part) * azimuths + azimuth) * columns;
-        for (std::size_t i = 0; i < width; ++i) {
-          float sum = 0.0f;
-          for (std::size_t column = first_column_[i]; column < first_column_[i + 1]; ++column)
-            sum += column_weight_[column] * from[column];
-          *out++ = sum;
-        }
-      }
+    collect(std::span(of_columns).subspan(line * all_of_line, all_of_line), azimuths,
+            parts.subspan(line * of_line, of_line));
+}
+
+void SolvedSky::radiance_parts(const SightFan& fan, std::span<float> parts) const {
+  const std::size_t suns = fan.sun_zenith_deg.size();
+  const std::size_t azimuths = fan.relative_azimuth_deg.size();
+  const std::size_t of_sun = this->parts() * azimuths * wavelengths_.size();
+  const std::size_t all_of_sun = columns_->parts() * azimuths * columns_->columns();
+  SKYLUT_CHECK_EQ(parts.size(), suns * of_sun);
+  std::vector<float> of_columns(suns * all_of_sun);
+  columns_->radiance_parts(fan, of_columns);
+  for (std::size_t sun = 0; sun < suns; ++sun)
+    collect(std::span(of_columns).subspan(sun * all_of_sun, all_of_sun), azimuths,
+            parts.subspan(sun * of_sun, of_sun));
 }
 
 }  // namespace skylut

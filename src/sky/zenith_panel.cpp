@@ -21,6 +21,11 @@ constexpr double kGroundElevations_deg[] = {kHairBelow_deg, 0.3, 1.5, 6.0, 25.0,
 /// Layers thinner than this are taken together in the limb, km: their kinks are too.
 constexpr double kThinnest_km = 0.2;
 
+/// Of the dome's coordinate: between the scales of air and of its lowest layer.
+constexpr double kDomeScale_deg = 1.5;
+
+double dome_coordinate(double elevation_deg) { return std::log1p(elevation_deg / kDomeScale_deg); }
+
 double clamped_sine(double sine) { return std::clamp(sine, -1.0, 1.0); }
 
 }  // namespace
@@ -33,7 +38,19 @@ ZenithPanel::ZenithPanel(Kind kind, double from, double to, double observer_km, 
     first_ = 0.0;
     last_ = 1.0;
   }
+  if (kind == Kind::dome) {
+    first_ = dome_coordinate(from);
+    last_ = dome_coordinate(to);
+  }
   set_range();
+}
+
+ZenithPanel ZenithPanel::whole_dome(double observer_km, double planet_radius_km) {
+  return {Kind::dome, 0.0, 90.0, observer_km, planet_radius_km};
+}
+
+ZenithPanel ZenithPanel::whole_limb(double observer_km, double planet_radius_km) {
+  return {Kind::limb, observer_km, std::min(kHairAbove_km, 0.5 * observer_km), observer_km, planet_radius_km};
 }
 
 void ZenithPanel::set_range() {
@@ -46,6 +63,7 @@ void ZenithPanel::set_range() {
 double ZenithPanel::zenith_deg(double x) const {
   const double natural = first_ + 0.5 * (x + 1.0) * (last_ - first_);
   if (kind_ == Kind::above) return 90.0 - natural;
+  if (kind_ == Kind::dome) return std::max(0.0, 90.0 - kDomeScale_deg * std::expm1(natural));
   if (kind_ == Kind::ground) {
     const double sine = planet_km_ * std::cos(natural * kRadiansPerDegree) / (planet_km_ + observer_km_);
     return 180.0 - std::asin(clamped_sine(sine)) * kDegreesPerRadian;
@@ -59,6 +77,7 @@ double ZenithPanel::zenith_deg(double x) const {
 
 double ZenithPanel::natural_of(double zenith_deg) const {
   if (kind_ == Kind::above) return 90.0 - zenith_deg;
+  if (kind_ == Kind::dome) return dome_coordinate(std::max(0.0, 90.0 - zenith_deg));
   const double radius = planet_km_ + observer_km_;
   const double dip = (zenith_deg - 90.0) * kRadiansPerDegree;
   if (kind_ == Kind::ground) {

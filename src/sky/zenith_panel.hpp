@@ -10,17 +10,23 @@ namespace skylut {
 /// edge and, below the local horizontal, where a line of sight begins to touch another layer.
 ///
 /// The coordinate x in [-1, 1] is linear in
-/// - the elevation of the line, above the horizontal;
+/// - the elevation e of the line, above the horizontal; in one panel for the whole dome ln(1 + e/1.5°), in
+///   which what changes with the air mass is spread evenly;
 /// - u = √((top - p)/(top - bottom)) of its lowest altitude p, between the horizontal and the horizon: with
 /// the
 ///   square root a path begins at a layer's boundary;
 /// - the elevation at which it meets the ground, below the horizon.
 class ZenithPanel {
  public:
-  enum class Kind { above, limb, ground };
+  enum class Kind { above, dome, limb, ground };
 
-  /// @param from, to  elevations in degrees (above, ground) or lowest altitudes in km (limb: from > to)
+  /// @param from, to  elevations in degrees (above, dome, ground) or lowest altitudes in km (limb: from > to)
   ZenithPanel(Kind kind, double from, double to, double observer_km, double planet_radius_km);
+
+  /// All from the zenith to the horizontal.
+  static ZenithPanel whole_dome(double observer_km, double planet_radius_km);
+  /// All from the horizontal to the geometric horizon, whatever the layers. @param observer_km  > 0
+  static ZenithPanel whole_limb(double observer_km, double planet_radius_km);
 
   Kind kind() const { return kind_; }
   double zenith_deg(double x) const;

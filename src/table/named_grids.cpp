@@ -32,8 +32,9 @@ const std::vector<NamedGrid>& named_grids() {
       // sun falls fastest. The first sun is not at the zenith, where angles to the sun and to the vertical
       // are one and the formula's two factors cannot be told apart.
       {.name = "runtime",
-       .what = "dense enough to be interpolated: 12 altitudes, 7 loads, 21 suns",
-       .altitudes_km = {0.0, 0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 10.0, 15.0, 20.0, 25.0, 30.0},
+       .what = "dense enough to be interpolated: 16 altitudes, 7 loads, 21 suns",
+       .altitudes_km = {0.0, 0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.5, 15.0, 17.5, 20.0, 22.5, 25.0, 27.5,
+                        30.0},
        .turbidities = {0.0, 0.01, 0.05, 0.15, 0.35, 0.625, 1.0},
        .suns = in_the_south({5.0,  10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 65.0, 70.0, 75.0, 80.0,
                              83.0, 86.0, 88.0, 90.0, 91.0, 92.0, 93.0, 94.0, 95.0, 96.0}),

@@ -45,6 +45,8 @@ class SolvedSky {
   /// The parts of which, times their factors, it is the sum (see SolvedColumns); only parts that have a
   /// factor somewhere. [line][part][azimuth][wavelength]
   void radiance_parts(std::span<const SightLine> lines, std::span<float> parts) const;
+  /// The same along one line under many suns. [sun][part][azimuth][wavelength]
+  void radiance_parts(const SightFan& fan, std::span<float> parts) const;
   std::size_t parts() const;
 
   /// The parts' factors by scattering angle, spectrally and as the eye sees them.
@@ -56,6 +58,9 @@ class SolvedSky {
   const std::vector<Xyz>& colour_weights() const { return colour_weights_; }
 
  private:
+  /// From [part of the columns][azimuth][column] to [part][azimuth][wavelength].
+  void collect(std::span<const float> of_columns, std::size_t azimuths, std::span<float> parts) const;
+
   WavelengthGrid wavelengths_;
   std::unique_ptr<SolvedColumns> columns_;
   std::vector<std::size_t> first_column_;  // [wavelength], and one past the last

@@ -39,6 +39,7 @@ struct TableSampling {
   std::vector<Direction> directions;  ///< that the fits get, the same for every sky; none: dome_directions
   std::vector<Direction> map_directions;  ///< of the maps that are wanted; none: no maps
   bool to_horizon = false;                ///< the formula's horizon is the geometric one
+  bool exact = false;  ///< each direction by its own line of sight; so it is with given directions
 };
 
 struct TableSkies {

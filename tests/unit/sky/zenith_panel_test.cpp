@@ -37,6 +37,21 @@ TEST(ZenithPanels, CoordinatesGoBothWays) {
     }
 }
 
+// The one panel of a dome is even in ln(1 + e/1.5°), that of a limb ends a hair above the ground.
+TEST(ZenithPanels, OfAWholeDomeAndLimb) {
+  const ZenithPanel dome = ZenithPanel::whole_dome(3.0, kPlanet_km);
+  EXPECT_EQ(dome.lowest_zenith_deg(), 0.0);
+  EXPECT_EQ(dome.highest_zenith_deg(), 90.0);
+  EXPECT_NEAR(dome.zenith_deg(0.0), 90.0 - 1.5 * (std::sqrt(61.0) - 1.0), 1e-12);
+  const ZenithPanel limb = ZenithPanel::whole_limb(3.0, kPlanet_km);
+  EXPECT_NEAR(limb.lowest_zenith_deg(), 90.0, 1e-12);
+  EXPECT_NEAR(limb.highest_zenith_deg(), horizon_zenith_deg(kPlanet_km, 3.0), 1e-5);
+  EXPECT_LT(limb.highest_zenith_deg(), horizon_zenith_deg(kPlanet_km, 3.0));
+  for (const ZenithPanel& panel : {dome, limb})
+    for (const double x : {-0.9, -0.3, 0.2, 0.95})
+      EXPECT_NEAR(panel.coordinate(panel.zenith_deg(x)), x, 1e-9);
+}
+
 // Between the horizontal and the horizon a panel ends where a line of sight touches a level: at the zenith
 // angle whose sine is (R + level)/(R + observer).
 TEST(ZenithPanels, LimbPanelsEndAtTheLevels) {
