@@ -45,7 +45,7 @@ TrainingSky seen(const ContinuousSky& sky, const SoughtSky& request, DomeViews d
 
 SimulatedSkies::SimulatedSkies(SkyScene scene, TransferOptions options, AirOverGround air_over_ground)
     : scene_(std::move(scene)),
-      options_(std::move(options)),
+      options_(options),
       air_over_ground_(std::move(air_over_ground)),
       axes_(axes_of(scene_)) {}
 

@@ -148,7 +148,8 @@ class Synthesis {
   // u_k, linear between angles that lie 0.003° apart near the sun.
   void haze_at(float cos_scattering) {
     const std::size_t terms = shape_.layout.terms();
-    const auto last = static_cast<float>(tables_.haze_terms.size() / terms - 1);
+    const std::size_t angles = tables_.haze_terms.size() / terms;
+    const auto last = static_cast<float>(angles - 1);
     const float angle = fast_acos(cos_scattering);
     const float at = std::sqrt(angle * static_cast<float>(1.0 / kPi)) * last;
     const float below = std::min(std::floor(at), last - 1.0f);

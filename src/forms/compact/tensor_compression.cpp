@@ -85,7 +85,7 @@ Matrix reduce(Tensor& tensor, std::size_t axis, double may_leave) {
     left += std::max(eigen.eigenvalues()(n - kept), 0.0);
     if (left > may_leave) break;
   }
-  const Matrix basis = eigen.eigenvectors().rightCols(kept).rowwise().reverse().cast<float>();
+  Matrix basis = eigen.eigenvectors().rightCols(kept).rowwise().reverse().cast<float>();
   std::vector<float> reduced(before * static_cast<std::size_t>(kept * after));
   for (std::size_t b = 0; b < before; ++b)
     slab(reduced, b, kept).noalias() = basis.transpose() * slab(tensor.values, b, n);

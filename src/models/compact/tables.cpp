@@ -63,7 +63,7 @@ std::vector<float> read_core(const JsonReader& model, const char* name, std::siz
 }
 
 std::vector<double> ascending(const JsonReader& place, const Range& range) {
-  const std::vector<double> values = place.numbers(range.lowest, range.highest, "the form's domain");
+  std::vector<double> values = place.numbers(range.lowest, range.highest, "the form's domain");
   if (!kNodeCount.holds(static_cast<double>(values.size()))) place.refuse("must have 4 to 1000 values");
   if (std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) != values.end())
     place.refuse("must ascend");
@@ -107,7 +107,7 @@ Tables read_tables(const JsonReader& model) {
   tables.zenith_counts = {whole(counts[0], kNodeCount), whole(counts[1], kNodeCount),
                           whole(counts[2], kNodeCount)};
   tables.channels = {"X", "Y", "Z"};
-  if (model.at("wavelengths_nm").value().size() > 0)
+  if (!model.at("wavelengths_nm").value().empty())
     tables.wavelengths_nm =
         model.at("wavelengths_nm")
             .numbers(domain::kWavelength_nm.lowest, domain::kWavelength_nm.highest, "a wavelength in nm");
@@ -120,7 +120,7 @@ Tables read_tables(const JsonReader& model) {
   tables.haze_mean = haze.at("mean").number({1e-9, 1e9, ""});
   tables.haze_terms = unpack_numbers(haze.at("values"), kAngles * tables.terms);
   const auto per_channel = [&](const char* key) {
-    const std::vector<double> values = model.at("rayleigh").at(key).numbers(0.0, 10.0, "a phase function");
+    std::vector<double> values = model.at("rayleigh").at(key).numbers(0.0, 10.0, "a phase function");
     if (values.size() != channels) model.at("rayleigh").at(key).refuse("must have one value per channel");
     return values;
   };
