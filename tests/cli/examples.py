@@ -26,9 +26,9 @@ def shell_lines(document):
 
 
 def help_lines(text):
-    """Indented lines that begin with "skylut"; two blanks divide an example from what it is."""
+    """Indented lines that begin with "skylut" and a word; two blanks divide an example from what it is."""
     for line in text.splitlines():
-        if line.startswith("  skylut "):
+        if line.startswith("  skylut ") and not line.startswith("  skylut  "):
             yield shlex.split(line.strip().split("  ")[0])[1:]
 
 

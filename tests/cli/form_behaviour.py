@@ -48,10 +48,10 @@ class Form(unittest.TestCase):
         self.assertAlmostEqual(row["zenith"][0] / (1000 * known["zenith"]["Y"]), 1, delta=3e-3)
         self.assertAlmostEqual(row["zenith"][1], known["zenith"]["x"], delta=3e-4)
         self.assertEqual(model["domain"]["sun_zenith_deg"], [40, 55])
-        # Its maps are skies, too: the same to the rounding of floats, since rows are seen from the sun's azimuth.
+        # Its maps are skies, too: lines of sight, from which the rows' smooth domes differ by some 1e-4.
         self.work.succeed("fit", "my table/maps", "--form", "perez", "-o", "maps.json")
         zenith = self.model("maps.json")["model"]["rows"][1]["zenith"]
-        self.assertAlmostEqual(zenith[0] / (1000 * known["zenith"]["Y"]), 1, delta=1e-7)
+        self.assertAlmostEqual(zenith[0] / (1000 * known["zenith"]["Y"]), 1, delta=1e-3)
         # The same command makes the same bytes, on any number of threads.
         bytes_before = self.work.path("model.json").read_bytes()
         self.work.succeed("fit", "my table", "--form", "perez", "-o", "model.json", "--threads", "1")
