@@ -71,9 +71,7 @@ Command compare_command() {
   set.add("--turbidity-kind", options->kind, turbidity_kind_by_name(),
           "of the table, if it has no table.json");
   set.add_flag("--json", options->json, "print the comparison as JSON");
-  Option& out = set.add("--output", options->out, file_out(), "CSV file for the comparison");
-  out.short_name = "-o";
-  out.recorded = false;
+  add_output(set, options->out, file_out(), "CSV file for the comparison");
   command.run = [options](const OptionSet& given) { run(*options, given.command_line("skylut compare")); };
   return command;
 }

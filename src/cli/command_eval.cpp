@@ -271,11 +271,7 @@ Command eval_command() {
       "skylut eval preetham1999 -o sky.exr --turbidity 3 --sun-zenith-deg 60 --size 64 --preview sky.png"};
   OptionSet& set = command.options;
   set.add("SOURCE", options->source, name_or_file(), "table, model file or published model").required = true;
-  Option& out =
-      set.add("--output", options->out, file_named({".csv", ".exr"}), "file to write: .csv or .exr");
-  out.short_name = "-o";
-  out.required = true;
-  out.recorded = false;
+  add_output(set, options->out, file_named({".csv", ".exr"}), "file to write: .csv or .exr").required = true;
   set.add("--altitude-km", options->altitude_km, number(domain::kObserver_km),
           "of the observer above the ground, 0 to 30");
   set.add("--turbidity", options->turbidity, number(domain::kTurbidityValue),

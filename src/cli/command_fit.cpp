@@ -149,10 +149,7 @@ Command fit_command() {
   set.add("--sun-azimuth-deg", options->sun_azimuth_deg, azimuth(), "of the sun, clockwise from north");
   set.add("--weights", options->weights, weights_kind(), "of the directions: uniform or solid-angle");
   set.add_flag("--json", options->json, "print the result as JSON");
-  Option& out =
-      set.add("--output", options->out, file_out(), "file for the result as JSON; of --form the model");
-  out.short_name = "-o";
-  out.recorded = false;
+  add_output(set, options->out, file_out(), "file for the result as JSON; of --form the model");
   options->form.add_to(set);
   command.run = [options](const OptionSet& given) { run(*options, given); };
   return command;

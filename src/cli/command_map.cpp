@@ -151,11 +151,7 @@ Command map_command() {
       "skylut map -o sky.exr --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z",
       "skylut map -o sky.exr --sun disc --suns 45:90,60:100,75:110 --size 64"};
   OptionSet& set = command.options;
-  Option& out =
-      set.add("--output", options->out, file_named({".csv", ".exr"}), "file to write: .csv or .exr");
-  out.short_name = "-o";
-  out.required = true;
-  out.recorded = false;
+  add_output(set, options->out, file_named({".csv", ".exr"}), "file to write: .csv or .exr").required = true;
   set.add("--altitude-km", options->altitude_km, number(domain::kObserver_km),
           "of the observer above the ground, 0 to 30");
   add_turbidity(set, options->turbidity);

@@ -69,9 +69,7 @@ Command profile_case_command() {
   OptionSet& set = command.options;
   set.add("PROFILE", options->name, name_or_file(), "a name (skylut profile list) or a TOML file").required =
       true;
-  Option& out = set.add("--output", options->out, file_out(), "file for the case as JSON");
-  out.short_name = "-o";
-  out.recorded = false;
+  add_output(set, options->out, file_out(), "file for the case as JSON");
   set.add("--wavelength-nm", options->wavelength_nm, number(domain::kWavelength_nm), "300 to 1000").required =
       true;
   OpticalCaseRequest& request = options->request;

@@ -76,9 +76,7 @@ Command solve_command() {
                       "skylut solve case.json --method monte-carlo --photons 2000 --seed 7"};
   OptionSet& set = command.options;
   set.add("CASE", arguments->input, file_in(), "case file (JSON)").required = true;
-  Option& out = set.add("--output", arguments->out, file_out(), "file for the answer as JSON");
-  out.short_name = "-o";
-  out.recorded = false;
+  add_output(set, arguments->out, file_out(), "file for the answer as JSON");
   set.add(
       "--method", arguments->method,
       choice<SolveMethod>({{"default", SolveMethod::standard}, {"monte-carlo", SolveMethod::monte_carlo}}),

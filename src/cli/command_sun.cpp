@@ -133,10 +133,8 @@ Command sun_command() {
                       "skylut sun --latitude 48:51N --longitude 2:21E --time 2024-06-21T09:00Z --no-diffuse",
                       "skylut sun --sun-zenith-deg 60 --model iqbal"};
   OptionSet& set = command.options;
-  Option& out = set.add("--output", options->out, file_named({".csv", ".json"}),
-                        "file to write: .csv or .json; default: the screen only");
-  out.short_name = "-o";
-  out.recorded = false;
+  add_output(set, options->out, file_named({".csv", ".json"}),
+             "file to write: .csv or .json; default: the screen only");
   set.add("--altitude-km", options->altitude_km, number(domain::kObserver_km),
           "of the observer above the ground, 0 to 30");
   add_turbidity(set, options->turbidity);

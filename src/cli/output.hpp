@@ -7,12 +7,24 @@
 #include <string_view>
 #include <utility>
 
+#include "options/options.hpp"
+
 /// What leaves the program beside its results' own files.
 namespace skylut::cli {
 
 /// A file that an option names indirectly: sky_px.exr of sky.exr.
 /// @throws InputError  "OPTION FILE: …" if it could not be written
 void require_writable(const std::string& option, const std::filesystem::path& file);
+
+/// --output, -o: a file that is not recorded in what is written to it.
+template <class Path>
+Option& add_output(OptionSet& options, Path& path, const Kind<std::filesystem::path>& kind,
+                   const char* help) {
+  Option& out = options.add("--output", path, kind, help);
+  out.short_name = "-o";
+  out.recorded = false;
+  return out;
+}
 
 /// Writes a result where file_out() said, "-" being standard output. @throws WorkError naming the file
 void write_result(const std::filesystem::path& file, std::string_view text);

@@ -7,6 +7,7 @@
 
 #include "skylut/core/check.hpp"
 #include "skylut/core/constants.hpp"
+#include "skylut/core/cosine_series.hpp"
 
 namespace skylut {
 
@@ -54,19 +55,11 @@ void SkyPatch::set_points(const SolvedSky& sky, std::span<const float> parts) {
   const std::size_t width = sky.parts() * wavelengths;
   const auto azimuths = static_cast<std::size_t>(azimuths_);
   SKYLUT_CHECK_EQ(parts.size(), x_.size() * azimuths * width);
-  // The cosine transform of the first kind: c_m = 2/(N-1) Σ'' f_k cos mφ_k, the ends and the first and last m
-  // by half.
+  const std::vector<double> series = cosine_series(azimuths);
   spectral_.assign(parts.size(), 0.0f);
   for (std::size_t m = 0; m < azimuths; ++m)
     for (std::size_t k = 0; k < azimuths; ++k) {
-      double weight = 1.0;
-      if (azimuths > 1) {
-        const auto steps = static_cast<double>(azimuths - 1);
-        weight = 2.0 / steps * std::cos(kPi * static_cast<double>(m * k) / steps);
-        if (k == 0 || k + 1 == azimuths) weight *= 0.5;
-        if (m == 0 || m + 1 == azimuths) weight *= 0.5;
-      }
-      const auto factor = static_cast<float>(weight);
+      const auto factor = static_cast<float>(series[m * azimuths + k]);
       for (std::size_t point = 0; point < x_.size(); ++point)
         for (std::size_t part = 0; part < sky.parts(); ++part) {
           const float* from = parts.data() + ((point * sky.parts() + part) * azimuths + k) * wavelengths;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "skylut/core/low_discrepancy.hpp"
+
 namespace skylut {
 
 namespace {
@@ -12,23 +14,12 @@ constexpr std::size_t kAltitudes = 5;
 constexpr std::size_t kSunsUp = 5;
 constexpr std::size_t kSunsDown = 2;
 
-// The digits of i in a base, mirrored at the point: evenly spread over [0, 1) (Halton 1960).
-double halton(std::size_t i, std::size_t base) {
-  double fraction = 1.0;
-  double value = 0.0;
-  for (; i > 0; i /= base) {
-    fraction /= static_cast<double>(base);
-    value += fraction * static_cast<double>(i % base);
-  }
-  return value;
-}
-
 // Members `first` to first + count of that sequence in a range.
 std::vector<double> spread(const Range& range, std::size_t first, std::size_t count, std::size_t base) {
   if (range.lowest >= range.highest) return {range.highest};
   std::vector<double> values;
   for (std::size_t i = 0; i < count; ++i)
-    values.push_back(range.lowest + halton(first + i, base) * (range.highest - range.lowest));
+    values.push_back(range.lowest + low_discrepancy(first + i, base) * (range.highest - range.lowest));
   return values;
 }
 

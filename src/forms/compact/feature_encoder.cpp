@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skylut/core/constants.hpp"
+#include "skylut/core/cosine_series.hpp"
 
 namespace skylut::compact {
 
@@ -15,19 +15,11 @@ constexpr double kUsualAlbedo = 0.2;
 constexpr double kNight = 1e-12;
 constexpr double kLeastGround = 1e-6;
 
-/// The cosine transform of the first kind, values at kπ/(n-1) to the coefficients of cos mφ.
-Eigen::MatrixXd cosine_series(std::size_t count) {
+Eigen::MatrixXd series_of(std::size_t count) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const std::vector<double> weights = cosine_series(count);
   const auto n = static_cast<Eigen::Index>(count);
-  const auto steps = static_cast<double>(count - 1);
-  Eigen::MatrixXd series(n, n);
-  for (Eigen::Index m = 0; m < n; ++m)
-    for (Eigen::Index k = 0; k < n; ++k) {
-      double weight = 2.0 / steps * std::cos(kPi * static_cast<double>(m * k) / steps);
-      if (k == 0 || k + 1 == n) weight *= 0.5;
-      if (m == 0 || m + 1 == n) weight *= 0.5;
-      series(m, k) = weight;
-    }
-  return series;
+  return Eigen::Map<const RowMajor>(weights.data(), n, n);
 }
 
 }  // namespace
@@ -35,8 +27,8 @@ Eigen::MatrixXd cosine_series(std::size_t count) {
 FeatureEncoder::FeatureEncoder(const Layout& layout, double haze_mean)
     : layout_(layout),
       haze_mean_(haze_mean),
-      series_(cosine_series(SkyRow::kAzimuths)),
-      ground_series_(cosine_series(SkyRow::kGroundAzimuths)) {}
+      series_(series_of(SkyRow::kAzimuths)),
+      ground_series_(series_of(SkyRow::kGroundAzimuths)) {}
 
 void FeatureEncoder::encode(const SkyRow& row, double aod500, std::span<float> features) const {
   const auto channels = static_cast<Eigen::Index>(layout_.channels());

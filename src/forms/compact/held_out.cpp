@@ -9,6 +9,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
+#include "skylut/core/low_discrepancy.hpp"
 #include "skylut/core/parallel.hpp"
 #include "skylut/transfer/solved_columns.hpp"
 
@@ -28,17 +29,6 @@ struct SunClass {
 constexpr SunClass kClasses[] = {
     {"sun_0_90", 0.0, 90.0}, {"sun_90_92", 90.0, 92.0}, {"sun_92_96", 92.0, 96.0}};
 
-/// Van der Corput's sequence: the i-th number of a low-discrepancy set, one base per axis.
-double low_discrepancy(std::size_t i, std::size_t base) {
-  double value = 0.0;
-  double digit = 1.0;
-  for (++i; i > 0; i /= base) {
-    digit /= static_cast<double>(base);
-    value += digit * static_cast<double>(i % base);
-  }
-  return value;
-}
-
 double within(const Range& range, double share) {
   return range.lowest + share * (range.highest - range.lowest);
 }
@@ -46,14 +36,14 @@ double within(const Range& range, double share) {
 /// Every other sky has its sun in the last tenth of the range, where skies change most; every fourth haze is
 /// thin and every fourth observer low.
 SkyConditions conditions_of(const ModelInfo& info, std::size_t i) {
-  const double altitude = low_discrepancy(i, 2);
-  const double load = low_discrepancy(i, 3);
-  const double sun = low_discrepancy(i, 5);
+  const double altitude = low_discrepancy(i + 1, 2);
+  const double load = low_discrepancy(i + 1, 3);
+  const double sun = low_discrepancy(i + 1, 5);
   const double near_horizon_deg = std::max(info.sun_zenith_deg.lowest, 86.0);
   SkyConditions conditions;
   conditions.altitude_km = within(info.altitude_km, i % 4 == 1 ? 0.1 * altitude : altitude);
   conditions.turbidity = {info.turbidity_kind, within(info.turbidity, i % 4 == 3 ? 0.1 * load : load)};
-  conditions.albedo = within(*info.albedo, low_discrepancy(i, 7));
+  conditions.albedo = within(*info.albedo, low_discrepancy(i + 1, 7));
   conditions.sun = {i % 2 == 0 ? within(info.sun_zenith_deg, sun)
                                : near_horizon_deg + sun * (info.sun_zenith_deg.highest - near_horizon_deg),
                     0.0};
@@ -65,8 +55,8 @@ std::vector<Direction> views_of(const SkyConditions& conditions, double planet_r
       -std::sqrt(1.0 - std::pow(planet_radius_km / (planet_radius_km + conditions.altitude_km), 2.0));
   std::vector<Direction> views;
   for (std::size_t i = 0; views.size() < kViews; ++i) {
-    const double cosine = 1.0 + low_discrepancy(i, 2) * (cos_horizon - 1.0);
-    const Direction view{std::acos(cosine) * kDegreesPerRadian, 180.0 * low_discrepancy(i, 3)};
+    const double cosine = 1.0 + low_discrepancy(i + 1, 2) * (cos_horizon - 1.0);
+    const Direction view{std::acos(cosine) * kDegreesPerRadian, 180.0 * low_discrepancy(i + 1, 3)};
     if (angle_between(view, conditions.sun) > kFromSun_deg * kRadiansPerDegree) views.push_back(view);
   }
   return views;

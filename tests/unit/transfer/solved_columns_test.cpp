@@ -74,6 +74,28 @@ TEST(SolvedColumns, PartsMakeTheRadiance) {
   EXPECT_TRUE(peak_counts);
 }
 
+// A line under many suns at once is each of them alone, to the last bit: of one band and of several, whose
+// suns stand between those of another.
+TEST(SolvedColumns, AFanIsItsLines) {
+  const std::vector<double> suns_deg{89.0, 30.0, 35.0, 89.5};
+  for (const bool bands : {true, false}) {
+    TransferOptions options;
+    options.discretisation.sun_bands = bands;
+    const SolvedColumns sky(test::context, test::earth(), columns(), suns_deg, options);
+    const std::size_t size = sky.parts() * kAzimuths_deg.size() * columns().size();
+    std::vector<float> fan(suns_deg.size() * size);
+    std::vector<float> alone(size);
+    for (const double view_deg : {40.0, 91.0, 120.0}) {
+      sky.radiance_parts(SightFan{4.0, view_deg, suns_deg, kAzimuths_deg}, fan);
+      for (std::size_t sun = 0; sun < suns_deg.size(); ++sun) {
+        const SightLine line{4.0, view_deg, suns_deg[sun], kAzimuths_deg};
+        sky.radiance_parts({&line, 1}, alone);
+        for (std::size_t i = 0; i < size; ++i) EXPECT_EQ(fan[sun * size + i], alone[i]) << bands << sun << i;
+      }
+    }
+  }
+}
+
 // A line whose lowest point lies on a boundary of layers, to the last digits: it has a piece of no length
 // there.
 TEST(SolvedColumns, LinesThatTouchALevel) {
