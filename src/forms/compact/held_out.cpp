@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "grey_columns.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
@@ -73,18 +74,16 @@ class Reference {
         colour_(ColourMatching::load(context).weights(scene.wavelengths)) {}
 
   std::vector<Yxy> colours(const SkyConditions& conditions, const std::vector<Direction>& views) const {
-    std::vector<OpticalColumn> columns;
+    GreyColumns bands = grey_columns(scene_, conditions.turbidity.value, conditions.albedo);
     std::vector<Xyz> weights;
-    for (std::size_t i = 0; i < scene_.wavelengths.size(); ++i)
-      for (BandColumn& one : scene_.atmosphere->band_columns(
-               {scene_.wavelengths[i], scene_.wavelengths.step_nm()}, conditions.turbidity.value)) {
-        one.column.ground_albedo = conditions.albedo;
-        columns.push_back(std::move(one.column));
-        const double weight = one.weight * irradiance_[i];
-        weights.push_back({weight * colour_[i].X, weight * colour_[i].Y, weight * colour_[i].Z});
-      }
+    for (std::size_t column = 0; column < bands.columns.size(); ++column) {
+      const std::size_t i = bands.band[column];
+      const double weight = bands.weight[column] * irradiance_[i];
+      weights.push_back({weight * colour_[i].X, weight * colour_[i].Y, weight * colour_[i].Z});
+    }
     const std::array sun_deg{conditions.sun.zenith_deg};
-    const SolvedColumns sky(context_, scene_.atmosphere->shells(), std::move(columns), sun_deg, options_);
+    const SolvedColumns sky(context_, scene_.atmosphere->shells(), std::move(bands.columns), sun_deg,
+                            options_);
     std::vector<Yxy> colours(views.size());
     parallel_for(views.size(), context_.threads, [&](std::size_t i) {
       const std::array azimuth_deg{views[i].azimuth_deg};

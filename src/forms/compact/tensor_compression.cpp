@@ -8,6 +8,7 @@
 #include <span>
 
 #include "skylut/core/check.hpp"
+#include "skylut/core/errors.hpp"
 #include "skylut/models/compact/coordinates.hpp"
 
 namespace skylut::compact {
@@ -210,6 +211,9 @@ double rounding_step(const Cores& cores, double may_leave) {
 }  // namespace
 
 void compress(const TrainingFields& fields, double tolerance, Tables& tables) {
+  const Eigen::Map<const Eigen::VectorXf> all(fields.features.data(),
+                                              static_cast<Eigen::Index>(fields.features.size()));
+  if (!all.allFinite()) throw WorkError("features of compact skies: must be numbers; some are not");
   const Layout layout = tables.layout();
   const std::size_t numbers = layout.size();
   const std::size_t zenith_nodes = fields.zenith.size();

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
+#include "grey_columns.hpp"
 #include "skylut/colour/cie1931.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/parallel.hpp"
-#include "skylut/sky/solved_sky.hpp"
+#include "skylut/transfer/solved_columns.hpp"
 
 namespace skylut::compact {
 
@@ -22,6 +24,8 @@ constexpr std::array kColour_nm{400.0, 420.0, 435.0, 450.0, 465.0, 480.0, 500.0,
 /// How strongly a weight is held to the plain sum, against errors of the skies squared.
 constexpr double kHold = 1e-6;
 
+/// Not the scene's ground: it may be black, and then is not seen.
+constexpr double kSetAlbedo = 0.3;
 constexpr std::array kLoads{0.01, 0.2, 1.0};
 constexpr std::array kSuns_deg{20.0, 75.0, 88.0, 91.0, 94.0};
 constexpr std::array kAltitudes_km{0.0, 10.0, 28.0};
@@ -59,36 +63,29 @@ std::vector<double> plain_sums(std::span<const std::size_t> indices, std::span<c
 }
 
 /// Spectra of all bands at unit solar irradiance, in many directions of many skies. [sky and direction][band]
-Eigen::MatrixXd training_set(const Context& context, const SkyScene& scene,
-                             std::span<const double> irradiance, const TransferOptions& options) {
-  std::vector<std::vector<float>> spectra;
-  const std::size_t width = scene.wavelengths.size();
+Eigen::MatrixXd training_set(const Context& context, const SkyScene& scene, const TransferOptions& options) {
+  const std::size_t lines = kAltitudes_km.size() * kZeniths_deg.size() * kSuns_deg.size();
+  const std::size_t azimuths = kAzimuths_deg.size();
+  Eigen::MatrixXd set = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(kLoads.size() * lines * azimuths),
+                                              static_cast<Eigen::Index>(scene.wavelengths.size()));
+  Eigen::Index first_row = 0;
   for (const double load : kLoads) {
-    SkyScene one = scene;
-    one.turbidities = {{TurbidityKind::aod500, load}};
-    one.suns.clear();
-    for (const double sun_deg : kSuns_deg) one.suns.push_back({sun_deg, 0.0});
-    const SolvedSky sky(context, one, options);
-    std::vector<SightLine> lines;
-    for (const double altitude_km : kAltitudes_km)
-      for (const double zenith_deg : kZeniths_deg)
-        for (const double sun_deg : kSuns_deg)
-          lines.push_back({altitude_km, zenith_deg, sun_deg, kAzimuths_deg});
-    const std::size_t first = spectra.size();
-    spectra.resize(first + lines.size());
-    parallel_for(lines.size(), context.threads, [&](std::size_t i) {
-      spectra[first + i].resize(kAzimuths_deg.size() * width);
-      sky.radiance(lines[i], spectra[first + i]);
+    GreyColumns bands = grey_columns(scene, load, kSetAlbedo);
+    const SolvedColumns sky(context, scene.atmosphere->shells(), std::move(bands.columns), kSuns_deg,
+                            options);
+    parallel_for(lines, context.threads, [&](std::size_t line) {
+      const double altitude_km = kAltitudes_km[line / (kZeniths_deg.size() * kSuns_deg.size())];
+      const double zenith_deg = kZeniths_deg[line / kSuns_deg.size() % kZeniths_deg.size()];
+      std::vector<float> radiance(sky.columns() * azimuths);
+      sky.radiance({altitude_km, zenith_deg, kSuns_deg[line % kSuns_deg.size()], kAzimuths_deg}, radiance);
+      for (std::size_t column = 0; column < sky.columns(); ++column)
+        for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth)
+          set(first_row + static_cast<Eigen::Index>(line * azimuths + azimuth),
+              static_cast<Eigen::Index>(bands.band[column])) +=
+              bands.weight[column] * static_cast<double>(radiance[column * azimuths + azimuth]);
     });
+    first_row += static_cast<Eigen::Index>(lines * azimuths);
   }
-  Eigen::MatrixXd set(static_cast<Eigen::Index>(spectra.size() * kAzimuths_deg.size()),
-                      static_cast<Eigen::Index>(width));
-  Eigen::Index row = 0;
-  for (const std::vector<float>& line : spectra)
-    for (std::size_t azimuth = 0; azimuth < kAzimuths_deg.size(); ++azimuth, ++row)
-      for (std::size_t i = 0; i < width; ++i)
-        set(row, static_cast<Eigen::Index>(i)) =
-            static_cast<double>(line[azimuth * width + i]) / irradiance[i];
   return set;
 }
 
@@ -130,7 +127,7 @@ void TrainingSpectrum::choose_colour_samples(const Context& context, const SkySc
   const WavelengthGrid& grid = scene.wavelengths;
   const std::vector<double> irradiance = extraterrestrial_irradiance(context, scene);
   const std::vector<Xyz> colour = ColourMatching::load(context).weights(grid);
-  const Eigen::MatrixXd set = training_set(context, scene, irradiance, options);
+  const Eigen::MatrixXd set = training_set(context, scene, options);
   const std::vector<std::size_t> indices = chosen(grid);
   std::vector<std::size_t> of_band;   // [sample]
   std::vector<double> share_of_band;  // [sample]

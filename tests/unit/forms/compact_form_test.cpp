@@ -107,6 +107,18 @@ TEST(CompactForm, TheSameBytesWithAnyThreads) {
   EXPECT_EQ(features(1), features(3));
 }
 
+TEST(CompactForm, BlackGroundIsNotInItsWeights) {
+  const SkyScene black = [] {
+    SkyScene of = scene(0.0);
+    of.wavelengths = WavelengthGrid(400.0, 700.0, 50.0);
+    return of;
+  }();
+  SkyScene grey = black;
+  grey.atmosphere = scene(0.6).atmosphere;
+  EXPECT_EQ(TrainingSpectrum(test::context, black, nullptr, {}).weights(),
+            TrainingSpectrum(test::context, grey, nullptr, {}).weights());
+}
+
 TEST(FeatureEncoder, SeriesOfWhatDoesNotDependOnAzimuth) {
   const Layout layout(3, 2);
   const FeatureEncoder encoder(layout, 1.0);
