@@ -75,6 +75,47 @@ TEST(PhaseFunction, ALongSeriesIsTheClosedForm) {
   EXPECT_EQ(series.moment(80), 0.0);
 }
 
+// What the base class integrates of a matrix is what Rayleigh's law has in closed form.
+class RayleighByQuadrature final : public PhaseFunction {
+ public:
+  double value(double cosine) const override { return air_.value(cosine); }
+  double moment(int l) const override { return air_.moment(l); }
+  ScatteringMatrix matrix(double cosine) const override { return air_.matrix(cosine); }
+
+ private:
+  RayleighPhaseFunction air_{0.03};
+};
+
+TEST(PhaseFunction, MomentsOfTheRayleighMatrix) {
+  const std::vector<MatrixMoments> closed = RayleighPhaseFunction(0.03).matrix_moments(6);
+  const std::vector<MatrixMoments> integrated = RayleighByQuadrature().matrix_moments(6);
+  for (std::size_t l = 0; l < closed.size(); ++l) {
+    EXPECT_NEAR(integrated[l].alpha1, closed[l].alpha1, 1e-13);
+    EXPECT_NEAR(integrated[l].alpha2, closed[l].alpha2, 1e-13);
+    EXPECT_NEAR(integrated[l].alpha3, closed[l].alpha3, 1e-13);
+    EXPECT_NEAR(integrated[l].beta1, closed[l].beta1, 1e-13);
+  }
+}
+
+// Light scattered at 90 degrees by dipoles is polarised altogether, by air less.
+TEST(PhaseFunction, RayleighPolarises) {
+  const ScatteringMatrix dipole = RayleighPhaseFunction().matrix(0.0);
+  EXPECT_NEAR(-dipole.f12 / dipole.f11, 1.0, 1e-15);
+  const ScatteringMatrix air = RayleighPhaseFunction(0.0279).matrix(0.0);
+  EXPECT_NEAR(-air.f12 / air.f11, (1.0 - 0.0279) / (1.0 + 0.0279), 1e-12);
+}
+
+// A peak hands on the polarisation of what it does not turn.
+TEST(PhaseFunction, APeakKeepsPolarisation) {
+  constexpr double kAsymmetry = 0.95;  // what is turned at all is of the order of 1 - g
+  const std::vector<MatrixMoments> peak = HenyeyGreensteinPhaseFunction(kAsymmetry).matrix_moments(12);
+  for (std::size_t l = 2; l < peak.size(); ++l) {
+    EXPECT_NEAR(peak[l].alpha2, peak[l].alpha1, 1.0 - kAsymmetry);
+    EXPECT_NEAR(peak[l].alpha3, peak[l].alpha2, 1e-12);
+    EXPECT_EQ(peak[l].beta1, 0.0);
+  }
+}
+
 TEST(PhaseFunction, OutOfRangeIsRefused) {
   EXPECT_THROW(RayleighPhaseFunction(-0.1), InputError);
   EXPECT_THROW(RayleighPhaseFunction(0.6), InputError);
