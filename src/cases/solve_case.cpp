@@ -188,6 +188,13 @@ Json solve_plane_layers(const JsonReader& file, const SolveOptions& options) {
   return answer;
 }
 
+bool is_polarised(const JsonReader& file) {
+  return file.has("polarised") && file.value()["polarised"] == Json(true);
+}
+
+/// Of a polarised case where the options ask for none.
+constexpr int kPolarisedDegree = 8;
+
 /// Largest relative share of the radiance that the orders left out hold, over all directions.
 double truncation_error(const Context& context, const AltitudeCase& read, const SkyRequest& request,
                         TransferOptions transfer, const SkyRadiance& truncated) {
@@ -224,9 +231,18 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
   TransferOptions transfer;
   transfer.discretisation = options.discretisation;
   transfer.scattering_orders = options.orders;
+  transfer.stokes = is_polarised(file);
+  if (transfer.stokes && transfer.discretisation.polarised_degree == 0)
+    transfer.discretisation.polarised_degree = kPolarisedDegree;
   const SkyRadiance radiance = solve_sky_radiance(context, read.shells, {&read.column, 1}, request, transfer);
-  for (std::size_t i = 0; i < read.views.size(); ++i)
+  for (std::size_t i = 0; i < read.views.size(); ++i) {
     write_radiance(answer["results"][i], static_cast<double>(radiance.at(0, 0, 0, i)), 0.0);
+    if (!radiance.has_stokes()) continue;
+    answer["results"][i]["stokes_q"] = static_cast<double>(radiance.stokes_q(0, i));
+    answer["results"][i]["std_q"] = 0.0;
+    answer["results"][i]["stokes_u"] = static_cast<double>(radiance.stokes_u(0, i));
+    answer["results"][i]["std_u"] = 0.0;
+  }
   answer["instruction_set"] = radiance.report().kernel;
   if (options.orders > 0) {
     answer["orders"] = options.orders;
@@ -236,7 +252,7 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
 }
 
 Json solve_altitude_schema(const Context& context, const JsonReader& file, const SolveOptions& options) {
-  if (file.has("polarised") && file.value()["polarised"] == Json(true))
+  if (is_polarised(file) && file.at("geometry").text() != "spherical")
     throw WorkError("{}: polarised is true, but polarisation is not computed: the solvers are scalar",
                     file.name());
   const JsonReader geometry = file.at("geometry");

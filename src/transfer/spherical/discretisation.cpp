@@ -145,6 +145,7 @@ DiscretisationKey discretisation_for(const LayerMerge& merge, const Discretisati
                                      const OpticalColumn& column) {
   DiscretisationKey key;
   key.angles = angles_for(column, options);
+  key.polarised_degree = std::min(options.polarised_degree, key.angles.max_l);
   key.cuts_peak = cut_off(column, key.angles.max_l).peak > kLeastHorizonPeak;
   const OpticalColumn merged = merge.column(column);
   // Absorption bends the source less than scattering does, and what is absorbed is dark.
@@ -193,7 +194,9 @@ Discretisation::Discretisation(const CommonGrid& common_, const DiscretisationKe
       cuts_peak(key.cuts_peak),
       horizon(angles, sublayers, layer_of_sublayer),
       stencil(sublayers, angles, common.sun_nodes_deg),
-      beam(common, sublayers) {}
+      beam(common, sublayers) {
+  if (key.polarised_degree > 0) polarised.emplace(angles, key.polarised_degree);
+}
 
 bool Discretisation::needs_source_at(double altitude_km) const {
   const auto holds = [&](const ShellGeometry& shells) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "../geometry/interpolation.hpp"
@@ -7,6 +8,7 @@
 #include "angular_grid.hpp"
 #include "common_grid.hpp"
 #include "horizon_peak.hpp"
+#include "polarised_angles.hpp"
 #include "sweep_stencil.hpp"
 
 namespace skylut::transfer {
@@ -17,7 +19,8 @@ namespace skylut::transfer {
 struct DiscretisationKey {
   std::vector<int> sublayers;  ///< number of equal parts per merged layer
   AngularResolution angles;
-  bool cuts_peak = false;  ///< delta-M takes a forward peak that matters at the horizon
+  bool cuts_peak = false;    ///< delta-M takes a forward peak that matters at the horizon
+  int polarised_degree = 0;  ///< highest degree of Q and U; 0: light is taken for unpolarised
 
   bool operator==(const DiscretisationKey&) const = default;
 };
@@ -63,6 +66,7 @@ struct Discretisation {
   ShellGeometry ray_levels;            ///< boundaries of the medium's layers and of the sublayers
   std::vector<int> layer_of_sublayer;  ///< merged layer
   AngularGrid angles;
+  std::optional<PolarisedAngles> polarised;
   bool cuts_peak;
   HorizonNodes horizon;
   SweepStencil stencil;
