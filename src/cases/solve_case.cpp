@@ -192,9 +192,6 @@ bool is_polarised(const JsonReader& file) {
   return file.has("polarised") && file.value()["polarised"] == Json(true);
 }
 
-/// Of a polarised case where the options ask for none.
-constexpr int kPolarisedDegree = 8;
-
 /// Largest relative share of the radiance that the orders left out hold, over all directions.
 double truncation_error(const Context& context, const AltitudeCase& read, const SkyRequest& request,
                         TransferOptions transfer, const SkyRadiance& truncated) {
@@ -232,8 +229,7 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
   transfer.discretisation = options.discretisation;
   transfer.scattering_orders = options.orders;
   transfer.stokes = is_polarised(file);
-  if (transfer.stokes && transfer.discretisation.polarised_degree == 0)
-    transfer.discretisation.polarised_degree = kPolarisedDegree;
+  if (!transfer.stokes) transfer.discretisation.polarised_degree = 0;
   const SkyRadiance radiance = solve_sky_radiance(context, read.shells, {&read.column, 1}, request, transfer);
   for (std::size_t i = 0; i < read.views.size(); ++i) {
     write_radiance(answer["results"][i], static_cast<double>(radiance.at(0, 0, 0, i)), 0.0);
