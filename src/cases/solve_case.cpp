@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case_layers.hpp"
+#include "case_matrices.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/domain.hpp"
@@ -296,6 +297,8 @@ Json solve_case(const Context& context, const Json& document, const std::string&
     file.refuse("must have one of the keys \"results\" (altitudes) and \"outputs\" (optical depths)");
   Json answer =
       file.has("outputs") ? solve_depth_schema(file, options) : solve_altitude_schema(context, file, options);
+  if (const auto unused = unused_elements(file.at("layers").elements()); !unused.empty())
+    answer["not_used"] = unused;
   answer["reference"] = fmt::format("skylut {}", kVersion);
   return answer;
 }
