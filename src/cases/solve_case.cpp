@@ -201,6 +201,20 @@ double truncation_error(const Context& context, const AltitudeCase& read, const 
   return largest;
 }
 
+bool is_polarised(const JsonReader& file) {
+  return file.has("polarised") && file.value()["polarised"] == Json(true);
+}
+
+/// @param result  with the azimuth as it was given: that of the estimate is folded to 0-180, and U changes
+/// its sign on the other side
+void write_stokes(Json& result, const MonteCarloRadiance& estimate) {
+  const bool folded = std::remainder(result["relative_azimuth_deg"].get<double>(), 360.0) < 0.0;
+  result["stokes_q"] = estimate.stokes_q;
+  result["std_q"] = estimate.stokes_q_error;
+  result["stokes_u"] = folded ? -estimate.stokes_u : estimate.stokes_u;
+  result["std_u"] = estimate.stokes_u_error;
+}
+
 Json solve_shells(const Context& context, const JsonReader& file, const SolveOptions& options) {
   AltitudeCase read = read_altitude_schema(file);
   read.shells.planet_radius_km = file.at("planet_radius_km").number(domain::kPlanetRadius_km);
@@ -213,10 +227,14 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
     const MonteCarloRequest request{read.observer_km, read.sun_zenith_deg, read.views};
     const std::vector<MonteCarloRadiance> radiance =
         solve_monte_carlo(context, read.shells, read.column, request,
-                          {.photons = options.photons, .seed = options.seed, .orders = options.orders});
+                          {.photons = options.photons,
+                           .seed = options.seed,
+                           .orders = options.orders,
+                           .polarised = is_polarised(file)});
     for (std::size_t i = 0; i < radiance.size(); ++i) {
       write_radiance(answer["results"][i], radiance[i].radiance, radiance[i].standard_error);
       answer["results"][i]["photons"] = radiance[i].photons;
+      if (is_polarised(file)) write_stokes(answer["results"][i], radiance[i]);
     }
     return answer;
   }
@@ -236,8 +254,8 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
 }
 
 Json solve_altitude_schema(const Context& context, const JsonReader& file, const SolveOptions& options) {
-  if (file.has("polarised") && file.value()["polarised"] == Json(true))
-    throw WorkError("{}: polarised is true, but polarisation is not computed: the solvers are scalar",
+  if (is_polarised(file) && options.method != SolveMethod::monte_carlo)
+    throw WorkError("{}: polarised is true, which only the Monte Carlo computes: use --method monte-carlo",
                     file.name());
   const JsonReader geometry = file.at("geometry");
   if (geometry.text() == "spherical") return solve_shells(context, file, options);
