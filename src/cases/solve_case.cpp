@@ -255,10 +255,16 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
     const MonteCarloRequest request{read.observer_km, read.sun_zenith_deg, read.views};
     const std::vector<MonteCarloRadiance> radiance =
         solve_monte_carlo(context, read.shells, read.column, request,
-                          {.photons = options.photons, .seed = options.seed, .orders = options.orders});
+                          {.photons = options.photons,
+                           .seed = options.seed,
+                           .orders = options.orders,
+                           .polarised = read.polarised});
     for (std::size_t i = 0; i < radiance.size(); ++i) {
       write_radiance(answer["results"][i], radiance[i].radiance, radiance[i].standard_error);
       answer["results"][i]["photons"] = radiance[i].photons;
+      if (read.polarised)
+        write_polarisation(answer["results"][i], {radiance[i].stokes_q, radiance[i].stokes_q_error},
+                           {radiance[i].stokes_u, radiance[i].stokes_u_error}, read.side[i]);
     }
     return answer;
   }

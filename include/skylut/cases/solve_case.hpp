@@ -28,9 +28,10 @@ struct SolveOptions {
 /// `not_used` names elements of scattering matrices that belong to V.
 ///
 /// Changed: `results[].radiance` and `.std` (0 for a deterministic solver), `results[].photons` (Monte
-/// Carlo: ours; else removed), `fluxes`; `outputs.radiance` and `.flux_*`, `streams_used`; `convergence` is
-/// removed (it judged the old numbers); `reference` names this program, `instruction_set` the build of the
-/// spherical solver. All else is kept.
+/// Carlo: ours; else removed), `stokes_q`, `.std_q`, `.stokes_u`, `.std_u` where the case is `polarised`
+/// (Monte Carlo only), `fluxes`; `outputs.radiance` and `.flux_*`, `streams_used`; `convergence` is removed
+/// (it judged the old numbers); `reference` names this program, `instruction_set` the build of the spherical
+/// solver. All else is kept.
 ///
 /// @param document  parsed file; `path` names it in messages
 /// @throws InputError  naming file, key, value and what would be right

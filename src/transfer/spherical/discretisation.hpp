@@ -18,6 +18,7 @@ namespace skylut::transfer {
 /// geometry and may share a block of lanes.
 struct DiscretisationKey {
   std::vector<int> sublayers;  ///< number of equal parts per merged layer
+  bool grades_top = false;     ///< thinner sublayers at the top, where the medium ends abruptly
   AngularResolution angles;
   bool cuts_peak = false;    ///< delta-M takes a forward peak that matters at the horizon
   int polarised_degree = 0;  ///< highest degree of Q and U; 0: light is taken for unpolarised
@@ -26,7 +27,8 @@ struct DiscretisationKey {
 };
 
 /// Chooses the discretisation of a column: layers split until each part's scaled optical depth is below
-/// the quality's step, angles fine enough for its phase functions. [docs/validation.md, "Convergence"]
+/// the quality's step, and thick layers of an even medium by their thickness; angles fine enough for its
+/// phase functions. [docs/validation.md, "Convergence"]
 /// @param merge  the layers of the sweep
 DiscretisationKey discretisation_for(const LayerMerge& merge, const DiscretisationOptions& options,
                                      const OpticalColumn& column);
