@@ -262,7 +262,11 @@ void refuse_too_much(const Work& work, const TransferCost& cost) {
   const double depth = largest_depth(work.columns);
   if (need > memory) {
     if (sublayers >= cost.rays_bytes && sublayers >= cost.results_bytes) {
-      const double fits = what_fits(depth, (memory - cost.rays_bytes - cost.results_bytes) / sublayers);
+      // A depth splits what is left of the sublayers beside the least that there are.
+      const double least = std::min(count_of(work.merge.shells().levels_km) + 9.0, cost.most_sublayers - 1.0);
+      const double share = (memory - cost.rays_bytes - cost.results_bytes) / sublayers;
+      const double fits =
+          what_fits(depth, (share * cost.most_sublayers - least) / (cost.most_sublayers - least));
       throw InputError(
           "optical depth {:.4g} in {} levels: its {:.3g} sublayers need about {} of memory, {}; an optical "
           "depth "

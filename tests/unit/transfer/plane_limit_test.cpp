@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "sky_cases.hpp"
 #include "skylut/core/constants.hpp"
@@ -26,9 +27,13 @@ double depth_above(const OpticalColumn& column, double altitude_km) {
 }
 
 /// Compares with the plane-parallel solver, which is good to 1e-5 (its own tests).
-void expect_plane(const test::Air& air, double relative) {
-  const OpticalColumn column = test::column_of(air);
-  const SkyRadiance sky = test::solve(test::huge_planet(), column, {kObservers_km, kSuns_deg, kViews});
+/// @param relative  of I, also for Q and U where light is polarised
+void expect_plane(const OpticalColumn& column, double relative, bool polarised = true) {
+  TransferOptions options;
+  options.stokes = polarised;
+  if (!polarised) options.discretisation.polarised_degree = 0;
+  const SkyRadiance sky = solve_sky_radiance(test::context, test::huge_planet(), {&column, 1},
+                                             {kObservers_km, kSuns_deg, kViews}, options);
   double worst = 0.0;
   double sum = 0.0;
   int count = 0;
@@ -42,10 +47,18 @@ void expect_plane(const test::Air& air, double relative) {
         asked.output_depths = {depth_above(column, kObservers_km[o])};
         asked.directions = {{-std::cos(kViews[v].zenith_deg * kRadiansPerDegree),
                              kViews[v].relative_azimuth_deg * kRadiansPerDegree}};
-        const double expected = solve_plane_parallel(column, asked).radiance[0];
+        asked.polarised = polarised;
+        const PlaneParallelResult plane = solve_plane_parallel(column, asked);
+        const double expected = plane.radiance[0];
         const double error = sky.at(0, o, s, v) / expected - 1.0;
-        EXPECT_NEAR(error, 0.0, relative) << kObservers_km[o] << " km, sun " << kSuns_deg[s] << ", view "
-                                          << kViews[v].zenith_deg << " " << kViews[v].relative_azimuth_deg;
+        SCOPED_TRACE(testing::Message() << kObservers_km[o] << " km, sun " << kSuns_deg[s] << ", view "
+                                        << kViews[v].zenith_deg << " " << kViews[v].relative_azimuth_deg);
+        EXPECT_NEAR(error, 0.0, relative);
+        if (polarised) {
+          const std::size_t sight = (o * kSuns_deg.size() + s) * kViews.size() + v;
+          EXPECT_NEAR(sky.stokes_q(0, sight), plane.stokes_q[0], relative * expected);
+          EXPECT_NEAR(sky.stokes_u(0, sight), plane.stokes_u[0], relative * expected);
+        }
         worst = std::max(worst, std::abs(error));
         sum += error * error;
         ++count;
@@ -56,17 +69,46 @@ void expect_plane(const test::Air& air, double relative) {
 
 // Discretisation at default quality: 0.1 % for a Rayleigh sky, 0.3 % with a forward peak (the cut-off share
 // of the peak is up to 1.5 % of the scattering).
-TEST(PlaneLimit, Rayleigh) { expect_plane({.rayleigh_depth = 0.1, .ground_albedo = 0.0}, 1e-3); }
-TEST(PlaneLimit, BlueRayleighOverSnow) {
-  expect_plane({.rayleigh_depth = 0.4, .absorption_depth = 0.05, .ground_albedo = 0.9}, 1e-3);
+TEST(PlaneLimit, Rayleigh) {
+  expect_plane(test::column_of({.rayleigh_depth = 0.1, .ground_albedo = 0.0}), 1e-3);
 }
-TEST(PlaneLimit, Haze) {
+TEST(PlaneLimit, BlueRayleighOverSnow) {
+  expect_plane(test::column_of({.rayleigh_depth = 0.4, .absorption_depth = 0.05, .ground_albedo = 0.9}),
+               1e-3);
+}
+TEST(PlaneLimit, UnpolarisedHaze) {
   expect_plane(
-      {.rayleigh_depth = 0.1, .haze_depth = 0.3, .haze_scattering_albedo = 0.93, .ground_albedo = 0.2}, 3e-3);
+      test::column_of(
+          {.rayleigh_depth = 0.1, .haze_depth = 0.3, .haze_scattering_albedo = 0.93, .ground_albedo = 0.2}),
+      3e-3, false);
 }
 TEST(PlaneLimit, ThickHaze) {
   expect_plane(
-      {.rayleigh_depth = 0.1, .haze_depth = 1.0, .haze_scattering_albedo = 0.95, .ground_albedo = 0.1}, 3e-3);
+      test::column_of(
+          {.rayleigh_depth = 0.1, .haze_depth = 1.0, .haze_scattering_albedo = 0.95, .ground_albedo = 0.1}),
+      3e-3);
+}
+
+/// A haze that polarises half as much as dipoles do: F12/F11, and F33/F11, of Rayleigh's law.
+class PolarisingHaze final : public PhaseFunction {
+ public:
+  double value(double mu) const override { return shape_.value(mu); }
+  double moment(int l) const override { return shape_.moment(l); }
+  ScatteringMatrix matrix(double mu) const override {
+    const double f11 = value(mu);
+    const double square = mu * mu;
+    return {f11, -0.5 * f11 * (1.0 - square) / (1.0 + square), f11, f11 * 2.0 * mu / (1.0 + square)};
+  }
+
+ private:
+  HenyeyGreensteinPhaseFunction shape_{0.65};
+};
+
+TEST(PlaneLimit, HazeThatPolarises) {
+  OpticalColumn column = test::column_of(
+      {.rayleigh_depth = 0.1, .haze_depth = 0.3, .haze_scattering_albedo = 0.93, .ground_albedo = 0.2});
+  column.scatterers.back().phase = std::make_shared<const PolarisingHaze>();
+  expect_plane(column, 3e-3);
 }
 
 // Around the sun, light is scattered more than once within the forward peak that delta-M takes for none. A
