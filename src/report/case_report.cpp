@@ -50,6 +50,17 @@ std::string radiances_by_view(const Json& answer) {
   return rows.text();
 }
 
+std::string stokes_by_view(const Json& answer) {
+  Rows rows(fmt::format("{:>10} {:>12} {:>14} {:>14} {:>14} {:>12}\n", "zenith/deg", "azimuth/deg", "I/sr-1",
+                        "Q", "U", "std of I"));
+  for (const Json& result : answer.at("results"))
+    rows.add(fmt::format(
+        "{:10g} {:12g} {:14.6e} {:14.6e} {:14.6e} {:12.1e}\n", result.at("view_zenith_deg").get<double>(),
+        result.at("relative_azimuth_deg").get<double>(), result.at("radiance").get<double>(),
+        result.at("stokes_q").get<double>(), result.at("stokes_u").get<double>(), result.value("std", 0.0)));
+  return rows.text();
+}
+
 std::string radiances_by_depth(const Json& outputs) {
   Rows rows(fmt::format("{:>12} {:>10} {:>8} {:>14}\n", "tau", "cos view", "phi/deg", "radiance"));
   for (std::size_t depth = 0; depth < outputs.at("taus").size(); ++depth)
@@ -100,7 +111,7 @@ std::string solved_case_text(const Json& answer) {
       fmt::format(", sun {:g} deg from the zenith, observer at {:g} km; per solar irradiance above the air\n",
                   answer.at("sun_zenith_deg").get<double>(),
                   answer.at("observer_altitude_km").get<double>()) +
-      radiances_by_view(answer);
+      (answer.value("polarised", false) ? stokes_by_view(answer) : radiances_by_view(answer));
   if (answer.contains("fluxes")) text += fluxes(answer.at("fluxes"));
   return text;
 }

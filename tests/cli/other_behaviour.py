@@ -33,6 +33,16 @@ class Solve(unittest.TestCase):
         self.assertIn("flux: direct", self.work.succeed("solve", str(CASES / "pp_E_multilayer_sza45_ground.json")))
         self.assertRegex(self.work.succeed("solve", str(CASES / "disort_3a.json")), r"48 streams\n +tau +cos view")
 
+    def test_polarised_cases_have_i_q_and_u(self):
+        case = CASES / "pol_natraj2009_sza78_ground.json"
+        screen = self.work.succeed("solve", str(case), "-o", "solved.json")
+        self.assertRegex(screen, r"I/sr-1 +Q +U")
+        solved = json.loads(self.work.path("solved.json").read_text(encoding="utf-8"))
+        for ours, published in zip(solved["results"], json.loads(case.read_text(encoding="utf-8"))["results"]):
+            for key in ("radiance", "stokes_q", "stokes_u"):
+                self.assertAlmostEqual(ours[key], published[key], delta=1e-6 * published["radiance"])
+            self.assertEqual((ours["std_q"], ours["std_u"]), (0, 0))
+
     def test_many_views_are_cut_short(self):
         case = json.loads((CASES / "sph_B_sza60_alt00.json").read_text(encoding="utf-8"))
         case["results"] = [{"view_zenith_deg": i % 80, "relative_azimuth_deg": i % 180} for i in range(500)]
