@@ -67,7 +67,7 @@ void solve_field(const Context& context, const Work& work, Block& block) {
       .scattering_orders = work.options.scattering_orders,
       .max_iterations = kMostIterations,
       .tolerance = static_cast<float>(work.options.discretisation.tolerance *
-                                      (work.bands.size() > 1 ? kBandTolerance : 1.0)),
+                                      (work.options.discretisation.sun_bands ? kBandTolerance : 1.0)),
       .cancelled =
           [](const void* token) { return static_cast<const std::stop_token*>(token)->stop_requested(); },
       .token = &context.cancel};
