@@ -1,8 +1,8 @@
 #pragma once
 
-#include "skylut/scattering/optical_column.hpp"
-
 namespace skylut {
+
+struct Shells;
 
 /// Zenith angle of the geometric horizon: 90° on the ground, more from a height. On its visible side by far
 /// more than rounding, so that a ray there misses the ground. @param altitude_km  above the ground, >= 0

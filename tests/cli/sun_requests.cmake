@@ -74,3 +74,7 @@ skylut_prints(map_of_one_wavelength "wrote sky.csv" map -o sky.csv --sun-zenith-
   WARNS "luminance and colour count only 497.5-502.5 nm: 1.5 % of the eye's sensitivity")
 skylut_prints(sun_of_red_light "direct normal" sun --no-diffuse --sun-zenith-deg 30 --wavelengths-nm 600:780:5
   WARNS "luminance and colour count only 600-780 nm: 1[78] % of the eye's sensitivity")
+skylut_refuses(sun_refraction_and_not 2 "--refraction: must not be given with --no-refraction" sun --sun-zenith-deg 45
+  --refraction --no-refraction)
+skylut_refuses(sun_apparent_at_a_time 2 "--apparent: says what --sun-zenith-deg is, needs it" sun --apparent
+  --time 2024-06-21T12:00:00Z --latitude 48 --longitude 2)
