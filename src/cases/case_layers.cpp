@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "case_matrices.hpp"
 #include "skylut/core/errors.hpp"
 
 namespace skylut {
@@ -35,6 +36,8 @@ class ScattererList {
 constexpr double kRayleighKey = 0.0;
 constexpr double kHenyeyGreensteinKey = 1.0;
 constexpr double kMomentsKey = 2.0;
+constexpr double kTableKey = 3.0;
+constexpr double kMatrixMomentsKey = 4.0;
 
 double depth_of(const JsonReader& layer, const char* key) {
   return layer.at(key).number(0.0, kHuge, ">= 0 (an optical depth)");
@@ -64,11 +67,24 @@ void add_moments(ScattererList& list, std::size_t index, const JsonReader& place
     list.add(key, index, depth, [&] { return std::make_shared<const LegendrePhaseFunction>(moments); });
 }
 
+void add_matrix(ScattererList& list, std::size_t index, double kind, const JsonReader& place, double depth) {
+  const CaseMatrix matrix = kind == kTableKey ? read_matrix_table(place) : read_matrix_moments(place);
+  std::vector<double> key = matrix.numbers;
+  key.insert(key.begin(), kind);
+  if (depth > 0.0) list.add(key, index, depth, [&] { return matrix.make(place); });
+}
+
 /// Molecules, one aerosol and an absorber. @return extinction depth
 double read_air(const JsonReader& layer, std::size_t index, double rayleigh_depolarisation,
                 ScattererList& list) {
-  layer.only(
-      {"tau_rayleigh", "tau_aerosol", "ssa_aerosol", "g_aerosol", "tau_absorption", "phase_moments_aerosol"});
+  layer.only({"tau_rayleigh", "tau_aerosol", "ssa_aerosol", "g_aerosol", "tau_absorption",
+              "phase_moments_aerosol", "phase_matrix_aerosol", "matrix_moments_aerosol"});
+  if (layer.has("phase_moments_aerosol") + layer.has("phase_matrix_aerosol") +
+          layer.has("matrix_moments_aerosol") >
+      1)
+    layer.refuse(
+        "must have one at most of the keys \"phase_moments_aerosol\", \"phase_matrix_aerosol\" and "
+        "\"matrix_moments_aerosol\"");
   const double rayleigh = depth_of(layer, "tau_rayleigh");
   const double aerosol = depth_of(layer, "tau_aerosol");
   const double albedo = albedo_of(layer, "ssa_aerosol");
@@ -80,6 +96,10 @@ double read_air(const JsonReader& layer, std::size_t index, double rayleigh_depo
     });
   if (layer.has("phase_moments_aerosol"))
     add_moments(list, index, layer.at("phase_moments_aerosol"), aerosol * albedo);
+  else if (layer.has("phase_matrix_aerosol"))
+    add_matrix(list, index, kTableKey, layer.at("phase_matrix_aerosol"), aerosol * albedo);
+  else if (layer.has("matrix_moments_aerosol"))
+    add_matrix(list, index, kMatrixMomentsKey, layer.at("matrix_moments_aerosol"), aerosol * albedo);
   else if (aerosol * albedo > 0.0)
     add_henyey_greenstein(list, index, g, aerosol * albedo);
   return rayleigh + aerosol + absorption;
@@ -87,17 +107,26 @@ double read_air(const JsonReader& layer, std::size_t index, double rayleigh_depo
 
 /// One medium with its own phase function. @return extinction depth
 double read_medium(const JsonReader& layer, std::size_t index, ScattererList& list) {
-  layer.only({"tau", "ssa", "phase_moments", "g_hg"});
+  layer.only({"tau", "ssa", "phase_moments", "g_hg", "phase_matrix", "matrix_moments"});
   const double depth = depth_of(layer, "tau");
   const double scattering = depth * albedo_of(layer, "ssa");
-  if (layer.has("phase_moments") == layer.has("g_hg"))
-    layer.refuse("must have one of the keys \"phase_moments\" and \"g_hg\", not both");
+  if (layer.has("phase_moments") + layer.has("g_hg") + layer.has("phase_matrix") +
+          layer.has("matrix_moments") !=
+      1)
+    layer.refuse(
+        "must have one of the keys \"phase_moments\", \"g_hg\", \"phase_matrix\" and \"matrix_moments\", "
+        "not several");
   if (layer.has("g_hg")) {
     const double g = asymmetry_of(layer, "g_hg");
     if (scattering > 0.0) add_henyey_greenstein(list, index, g, scattering);
     return depth;
   }
-  add_moments(list, index, layer.at("phase_moments"), scattering);
+  if (layer.has("phase_matrix"))
+    add_matrix(list, index, kTableKey, layer.at("phase_matrix"), scattering);
+  else if (layer.has("matrix_moments"))
+    add_matrix(list, index, kMatrixMomentsKey, layer.at("matrix_moments"), scattering);
+  else
+    add_moments(list, index, layer.at("phase_moments"), scattering);
   return depth;
 }
 

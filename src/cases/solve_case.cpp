@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case_layers.hpp"
+#include "case_matrices.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/domain.hpp"
@@ -36,6 +37,15 @@ OpticalColumn read_column(const JsonReader& file) {
   return read_layers(file.at("layers").elements(), depolarisation);
 }
 
+/// Whether Stokes Q and U are asked for.
+bool read_polarised(const JsonReader& file) {
+  if (!file.has("polarised")) return false;
+  const JsonReader polarised = file.at("polarised");
+  if (!polarised.value().is_boolean())
+    polarised.refuse(fmt::format("{} must be true or false", polarised.value().dump()));
+  return polarised.value().get<bool>();
+}
+
 double read_albedo(const JsonReader& file) { return file.at("albedo").number(0.0, 1.0, "within 0-1"); }
 
 // ---- schema of problems in optical depth: keys beam, outputs, layers top to bottom
@@ -58,6 +68,7 @@ Json solve_depth_schema(const JsonReader& file, const SolveOptions& options) {
   const double phi0_deg = beam.at("phi0_deg").number();
   const JsonReader outputs = file.at("outputs");
   PlaneParallelRequest request;
+  request.polarised = read_polarised(file);
   request.cos_sun_zenith = beam.at("mu0").number(0.0, 1.0, "within 0 (excluded) to 1");
   if (request.cos_sun_zenith == 0.0) beam.at("mu0").refuse("0 must be a number within 0 (excluded) to 1");
   request.isotropic_top_radiance = file.at("isotropic_top").number(0.0, 1e300, ">= 0") / flux;
@@ -80,23 +91,29 @@ Json solve_depth_schema(const JsonReader& file, const SolveOptions& options) {
   const PlaneParallelResult result = solve_plane_parallel(column, request);
   Json answer = file.value();
   Json& written = answer["outputs"];
-  Json radiance = Json::array();
-  std::size_t at = 0;
-  for (std::size_t depth = 0; depth < request.output_depths.size(); ++depth) {
-    Json at_depth = Json::array();
-    for (std::size_t view = 0; view < cos_views.size(); ++view) {
-      Json at_view = Json::array();
-      for (std::size_t phi = 0; phi < azimuths_rad.size(); ++phi)
-        at_view.push_back(flux * result.radiance[at++]);
-      at_depth.push_back(std::move(at_view));
+  const auto by_depth = [&](const std::vector<double>& values) {
+    Json all = Json::array();
+    std::size_t at = 0;
+    for (std::size_t depth = 0; depth < request.output_depths.size(); ++depth) {
+      Json at_depth = Json::array();
+      for (std::size_t view = 0; view < cos_views.size(); ++view) {
+        Json at_view = Json::array();
+        for (std::size_t phi = 0; phi < azimuths_rad.size(); ++phi) at_view.push_back(flux * values[at++]);
+        at_depth.push_back(std::move(at_view));
+      }
+      all.push_back(std::move(at_depth));
     }
-    radiance.push_back(std::move(at_depth));
-  }
+    return all;
+  };
   const auto scaled = [flux](std::vector<double> values) {
     for (double& value : values) value *= flux;
     return values;
   };
-  written["radiance"] = std::move(radiance);
+  written["radiance"] = by_depth(result.radiance);
+  if (request.polarised) {
+    written["stokes_q"] = by_depth(result.stokes_q);
+    written["stokes_u"] = by_depth(result.stokes_u);
+  }
   written["flux_direct"] = scaled(result.flux_direct);
   written["flux_down_diffuse"] = scaled(result.flux_down_diffuse);
   written["flux_up"] = scaled(result.flux_up);
@@ -113,6 +130,9 @@ struct AltitudeCase {
   double observer_km = 0.0;
   double sun_zenith_deg = 0.0;
   std::vector<RelativeView> views;
+  bool polarised = false;
+  /// 1, or -1 where the file's azimuth lies in the half that mirrors the view's: the sign of U.
+  std::vector<double> side;
 };
 
 AltitudeCase read_altitude_schema(const JsonReader& file) {
@@ -135,9 +155,13 @@ AltitudeCase read_altitude_schema(const JsonReader& file) {
   read.observer_km =
       file.at("observer_altitude_km").number(0.0, top, fmt::format("within the levels, 0-{}", top));
   read.sun_zenith_deg = file.at("sun_zenith_deg").number(0.0, 180.0, "within 0-180");
-  for (const JsonReader& result : file.at("results").elements())
-    read.views.push_back({result.at("view_zenith_deg").number(0.0, 180.0, "within 0-180"),
-                          std::abs(std::remainder(result.at("relative_azimuth_deg").number(), 360.0))});
+  read.polarised = read_polarised(file);
+  for (const JsonReader& result : file.at("results").elements()) {
+    const double azimuth_deg = std::remainder(result.at("relative_azimuth_deg").number(), 360.0);
+    read.views.push_back(
+        {result.at("view_zenith_deg").number(0.0, 180.0, "within 0-180"), std::abs(azimuth_deg)});
+    read.side.push_back(azimuth_deg < 0.0 ? -1.0 : 1.0);
+  }
   return read;
 }
 
@@ -145,6 +169,20 @@ void write_radiance(Json& result, double radiance, double standard_error) {
   result["radiance"] = radiance;
   result["std"] = standard_error;
   result.erase("photons");
+}
+
+/// A Stokes parameter with its standard error, 0 for a deterministic solver.
+struct Estimate {
+  double value = 0.0;
+  double standard_error = 0.0;
+};
+
+/// Q and U of a view of the case; U as the view has it, on the file's side of the sun here.
+void write_polarisation(Json& result, Estimate q, Estimate u, double side) {
+  result["stokes_q"] = q.value;
+  result["std_q"] = q.standard_error;
+  result["stokes_u"] = side * u.value;
+  result["std_u"] = u.standard_error;
 }
 
 /// Optical depth above an altitude; layers are homogeneous between their levels.
@@ -170,6 +208,7 @@ Json solve_plane_layers(const JsonReader& file, const SolveOptions& options) {
   PlaneParallelRequest request;
   request.cos_sun_zenith = std::cos(read.sun_zenith_deg * kRadiansPerDegree);
   request.output_depths = {depth_above(read, read.observer_km)};
+  request.polarised = read.polarised;
   Json answer = file.value();
   for (const RelativeView& view : read.views) {
     if (std::abs(view.zenith_deg - 90.0) < 1e-9)
@@ -180,8 +219,11 @@ Json solve_plane_layers(const JsonReader& file, const SolveOptions& options) {
         {-std::cos(view.zenith_deg * kRadiansPerDegree), view.relative_azimuth_deg * kRadiansPerDegree});
   }
   const PlaneParallelResult result = solve_plane_parallel(read.column, request);
-  for (std::size_t i = 0; i < read.views.size(); ++i)
+  for (std::size_t i = 0; i < read.views.size(); ++i) {
     write_radiance(answer["results"][i], result.radiance[i], 0.0);
+    if (read.polarised)
+      write_polarisation(answer["results"][i], {result.stokes_q[i]}, {result.stokes_u[i]}, read.side[i]);
+  }
   answer["fluxes"]["direct_down"] = result.flux_direct[0];
   answer["fluxes"]["diffuse_down"] = result.flux_down_diffuse[0];
   answer["fluxes"]["diffuse_up"] = result.flux_up[0];
@@ -213,10 +255,16 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
     const MonteCarloRequest request{read.observer_km, read.sun_zenith_deg, read.views};
     const std::vector<MonteCarloRadiance> radiance =
         solve_monte_carlo(context, read.shells, read.column, request,
-                          {.photons = options.photons, .seed = options.seed, .orders = options.orders});
+                          {.photons = options.photons,
+                           .seed = options.seed,
+                           .orders = options.orders,
+                           .polarised = read.polarised});
     for (std::size_t i = 0; i < radiance.size(); ++i) {
       write_radiance(answer["results"][i], radiance[i].radiance, radiance[i].standard_error);
       answer["results"][i]["photons"] = radiance[i].photons;
+      if (read.polarised)
+        write_polarisation(answer["results"][i], {radiance[i].stokes_q, radiance[i].stokes_q_error},
+                           {radiance[i].stokes_u, radiance[i].stokes_u_error}, read.side[i]);
     }
     return answer;
   }
@@ -224,9 +272,15 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
   TransferOptions transfer;
   transfer.discretisation = options.discretisation;
   transfer.scattering_orders = options.orders;
+  transfer.stokes = read.polarised;
+  if (!read.polarised) transfer.discretisation.polarised_degree = 0;
   const SkyRadiance radiance = solve_sky_radiance(context, read.shells, {&read.column, 1}, request, transfer);
-  for (std::size_t i = 0; i < read.views.size(); ++i)
+  for (std::size_t i = 0; i < read.views.size(); ++i) {
     write_radiance(answer["results"][i], static_cast<double>(radiance.at(0, 0, 0, i)), 0.0);
+    if (read.polarised)
+      write_polarisation(answer["results"][i], {static_cast<double>(radiance.stokes_q(0, i))},
+                         {static_cast<double>(radiance.stokes_u(0, i))}, read.side[i]);
+  }
   answer["instruction_set"] = radiance.report().kernel;
   if (options.orders > 0) {
     answer["orders"] = options.orders;
@@ -236,9 +290,6 @@ Json solve_shells(const Context& context, const JsonReader& file, const SolveOpt
 }
 
 Json solve_altitude_schema(const Context& context, const JsonReader& file, const SolveOptions& options) {
-  if (file.has("polarised") && file.value()["polarised"] == Json(true))
-    throw WorkError("{}: polarised is true, but polarisation is not computed: the solvers are scalar",
-                    file.name());
   const JsonReader geometry = file.at("geometry");
   if (geometry.text() == "spherical") return solve_shells(context, file, options);
   if (geometry.text() == "plane-parallel") return solve_plane_layers(file, options);
@@ -255,6 +306,8 @@ Json solve_case(const Context& context, const Json& document, const std::string&
     file.refuse("must have one of the keys \"results\" (altitudes) and \"outputs\" (optical depths)");
   Json answer =
       file.has("outputs") ? solve_depth_schema(file, options) : solve_altitude_schema(context, file, options);
+  if (const auto unused = unused_elements(file.at("layers").elements()); !unused.empty())
+    answer["not_used"] = unused;
   answer["reference"] = fmt::format("skylut {}", kVersion);
   return answer;
 }

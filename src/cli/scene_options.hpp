@@ -89,6 +89,7 @@ class SceneOptions {
   WavelengthGrid wavelengths_ = WavelengthGrid::visible();
   Quality quality_ = Quality::standard;
   bool exact_ = false;
+  bool scalar_ = false;
   ComputingOptions computing_;
 };
 

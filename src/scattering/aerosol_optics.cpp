@@ -64,7 +64,8 @@ void set_particles(const Context& context, const std::vector<AerosolComponent>& 
     aerosol.relative_extinction.push_back(optics.extinction_um2 / extinction);
     aerosol.single_scattering_albedo.push_back(std::min(1.0, optics.scattering_um2 / optics.extinction_um2));
     aerosol.asymmetry.push_back(optics.moments[1]);
-    aerosol.phase.push_back(std::make_shared<TabulatedPhaseFunction>(std::move(optics.moments)));
+    aerosol.phase.push_back(
+        std::make_shared<TabulatedPhaseFunction>(std::move(optics.moments), std::move(optics.polarisation)));
   }
   aerosol.angstrom_exponent = aerosol.angstrom_exponent_between(500.0, 1000.0);
 }

@@ -6,11 +6,13 @@
 
 #include "skylut/core/quadrature.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
+#include "skylut/scattering/scattering_matrix.hpp"
 
 namespace skylut {
 
-/// Legendre moments of the light that many spheres scatter. Spheres are sorted into classes of like size; a
-/// class sums |S1|² + |S2|² at the nodes of a Gauss-Legendre rule that is exact for every moment. [P6]
+/// Moments of the scattering matrix of many spheres together. Spheres are sorted into classes of like size; a
+/// class sums F11 = F22 = |S1|² + |S2|², F12 = |S2|² - |S1|² and F33 = 2 Re S1 S2* at the nodes of a
+/// Gauss-Legendre rule that is exact for every moment. [P6]
 class AngularSum {
  public:
   /// Rules by the number of terms of a class; they serve all wavelengths.
@@ -21,12 +23,12 @@ class AngularSum {
 
   static void prepare(Rules& rules, int class_terms);
 
-  /// Adds weight (|S1|² + |S2|²) of a sphere.
+  /// Adds a sphere, so many times.
   void add(const MieSphere& sphere, double weight);
 
-  /// ½ ∫ (sum) P_l dμ for l = 0 … twice the terms of the largest class.
+  /// Moments as in scattering_matrix.hpp, not normalised, for l = 0 … twice the terms of the largest class.
   /// @param rules  prepared for all classes of the spheres added
-  std::vector<double> moments(const Rules& rules) const;
+  std::vector<MatrixMoments> moments(const Rules& rules) const;
 
  private:
   struct WeightedSphere {

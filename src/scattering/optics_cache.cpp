@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // Counts up whenever particle_optics() gives other numbers for the same request.
-constexpr int kAlgorithm = 2;
+constexpr int kAlgorithm = 3;
 
-// 13 wavelengths of 4000 moments are 1.2 MB.
+// 13 wavelengths of 4 times 4000 moments are 5 MB.
 constexpr off_t kLargestFile_bytes = 16'000'000;
 
 // FNV-1a, 64 bit.
@@ -95,6 +95,12 @@ bool is_possible(const ParticleOptics& optics) {
   if (optics.moments.size() < 2 || optics.moments.front() != 1.0) return false;
   for (const double moment : optics.moments)
     if (!(std::abs(moment) <= 1.0)) return false;
+  const PolarisationMoments& polarisation = optics.polarisation;
+  for (const std::vector<double>* kind : {&polarisation.alpha2, &polarisation.alpha3, &polarisation.beta1}) {
+    if (kind->size() != optics.moments.size()) return false;
+    for (const double moment : *kind)
+      if (!(std::abs(moment) <= 1.0)) return false;
+  }
   return true;
 }
 
@@ -126,6 +132,9 @@ std::optional<std::vector<ParticleOptics>> find_in_cache(const Context& context,
     std::vector<double> numbers;
     if (!read_numbers(line, numbers) || numbers.size() < 4) return std::nullopt;
     results.push_back({numbers[0], numbers[1], {numbers.begin() + 2, numbers.end()}});
+    PolarisationMoments& polarisation = results.back().polarisation;
+    for (std::vector<double>* kind : {&polarisation.alpha2, &polarisation.alpha3, &polarisation.beta1})
+      if (!read_numbers(take_line(rest), *kind)) return std::nullopt;
     if (!is_possible(results.back())) return std::nullopt;
   }
   return results;
@@ -136,8 +145,10 @@ void keep_in_cache(const Context& context, const std::string& key,
   if (context.cache_folder.empty()) return;
   std::string content = key + "\n";
   for (const ParticleOptics& result : results)
-    content += fmt::format("{} {} {}\n", result.extinction_um2, result.scattering_um2,
-                           fmt::join(result.moments, " "));
+    content +=
+        fmt::format("{} {} {}\n{}\n{}\n{}\n", result.extinction_um2, result.scattering_um2,
+                    fmt::join(result.moments, " "), fmt::join(result.polarisation.alpha2, " "),
+                    fmt::join(result.polarisation.alpha3, " "), fmt::join(result.polarisation.beta1, " "));
   content += "end\n";
   std::error_code ignored;
   fs::create_directories(context.cache_folder, ignored);

@@ -142,10 +142,15 @@ std::vector<ParticleOptics> particle_optics(const Context& context,
       result.scattering_um2 += area * sphere.q_sca();
       sum.add(sphere, node.number);
     }
-    result.moments = sum.moments(rules);
-    const double all = result.moments[0];
-    for (double& moment : result.moments) moment /= all;
+    const std::vector<MatrixMoments> moments = sum.moments(rules);
+    const double all = moments[0].alpha1;
+    for (const MatrixMoments& moment : moments) result.moments.push_back(moment.alpha1 / all);
     drop_tail(result.moments);
+    for (std::size_t l = 0; l < result.moments.size(); ++l) {
+      result.polarisation.alpha2.push_back(moments[l].alpha2 / all);
+      result.polarisation.alpha3.push_back(moments[l].alpha3 / all);
+      result.polarisation.beta1.push_back(moments[l].beta1 / all);
+    }
   });
   return results;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "skylut/scattering/size_distribution.hpp"
+#include "skylut/scattering/tabulated_phase_function.hpp"
 
 namespace skylut {
 
@@ -13,6 +14,7 @@ struct ParticleOptics {
   double extinction_um2 = 0.0;  ///< cross-section of all particles in the volume that holds their numbers
   double scattering_um2 = 0.0;
   std::vector<double> moments;  ///< χ_0 = 1 … of their phase function, Σ (2l+1)|χ_l| beyond the last < 1e-7
+  PolarisationMoments polarisation{};  ///< of the same degrees
 };
 
 /// Integrates Mie's theory over the sizes of every component, one result per wavelength. [docs/aerosols.md

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "polarised_tile.hpp"
+#include "skylut/core/check.hpp"
 #include "skylut/core/interpolation.hpp"
 #include "skylut/core/legendre.hpp"
 
@@ -67,10 +69,73 @@ std::vector<double> series(const std::vector<double>& moments, const std::vector
   return values;
 }
 
+// F12 and F33 of the series at the cosines.
+void tabulate_polarisation(const PolarisationMoments& moments, const std::vector<double>& mu,
+                           std::vector<double>& f12, std::vector<double>& f33) {
+  constexpr std::size_t kTile = PolarisedTile::kSize;
+  for (std::size_t first = 0; first < mu.size(); first += kTile) {
+    PolarisedTile::Tile x{};
+    for (std::size_t i = 0; i < kTile && first + i < mu.size(); ++i) x[i] = mu[first + i];
+    PolarisedTile::Tile polarised{};
+    PolarisedTile::Tile third{};
+    PolarisedTile functions(x);
+    for (std::size_t l = 2; l < moments.beta1.size(); ++l) {
+      const double weight = 2.0 * static_cast<double>(l) + 1.0;
+      const double beta = weight * moments.beta1[l];
+      const double sum = 0.5 * weight * (moments.alpha2[l] + moments.alpha3[l]);
+      const double difference = 0.5 * weight * (moments.alpha2[l] - moments.alpha3[l]);
+      for (std::size_t i = 0; i < kTile; ++i) {
+        polarised[i] += beta * functions.polarising[i];
+        third[i] += sum * functions.same[i] - difference * functions.opposite[i];
+      }
+      functions.advance(l);
+    }
+    for (std::size_t i = 0; i < kTile && first + i < mu.size(); ++i) {
+      f12.push_back(polarised[i]);
+      f33.push_back(third[i]);
+    }
+  }
+}
+
+// (1 - part) first + part second, 0 beyond the shorter's end.
+std::vector<double> mixed(const std::vector<double>& first, const std::vector<double>& second, double part) {
+  std::vector<double> values(std::max(first.size(), second.size()));
+  for (std::size_t i = 0; i < first.size(); ++i) values[i] += (1.0 - part) * first[i];
+  for (std::size_t i = 0; i < second.size(); ++i) values[i] += part * second[i];
+  return values;
+}
+
+// Where a cosine lies on the grid.
+class Place {
+ public:
+  explicit Place(double mu) {
+    const double position = kSteps_per_unit * coordinate(mu);
+    below_ = static_cast<std::size_t>(std::clamp(position, 1.0, static_cast<double>(kGridSize - 3)));
+    weight_ = cubic_weights(position - static_cast<double>(below_));
+  }
+  double of(const std::vector<double>& table) const {
+    const double* const p = &table[below_ - 1];
+    return p[0] * weight_[0] + p[1] * weight_[1] + p[2] * weight_[2] + p[3] * weight_[3];
+  }
+
+ private:
+  std::size_t below_;
+  std::array<double, 4> weight_;
+};
+
 }  // namespace
 
 TabulatedPhaseFunction::TabulatedPhaseFunction(std::vector<double> moments)
     : moments_(std::move(moments)), table_(series(moments_, cosines_of_grid())) {}
+
+TabulatedPhaseFunction::TabulatedPhaseFunction(std::vector<double> moments, PolarisationMoments polarisation)
+    : TabulatedPhaseFunction(std::move(moments)) {
+  SKYLUT_CHECK_EQ(polarisation.alpha2.size(), moments_.size());
+  SKYLUT_CHECK_EQ(polarisation.alpha3.size(), moments_.size());
+  SKYLUT_CHECK_EQ(polarisation.beta1.size(), moments_.size());
+  polarisation_ = std::move(polarisation);
+  tabulate_polarisation(polarisation_, cosines_of_grid(), f12_, f33_);
+}
 
 TabulatedPhaseFunction::TabulatedPhaseFunction(const TabulatedPhaseFunction& first,
                                                const TabulatedPhaseFunction& second, double part) {
@@ -80,20 +145,34 @@ TabulatedPhaseFunction::TabulatedPhaseFunction(const TabulatedPhaseFunction& fir
         (1.0 - part) * first.moment(static_cast<int>(l)) + part * second.moment(static_cast<int>(l));
   for (std::size_t i = 0; i < first.table_.size(); ++i)
     table_.push_back((1.0 - part) * first.table_[i] + part * second.table_[i]);
+  if (first.f12_.empty() || second.f12_.empty()) return;
+  polarisation_ = {mixed(first.polarisation_.alpha2, second.polarisation_.alpha2, part),
+                   mixed(first.polarisation_.alpha3, second.polarisation_.alpha3, part),
+                   mixed(first.polarisation_.beta1, second.polarisation_.beta1, part)};
+  f12_ = mixed(first.f12_, second.f12_, part);
+  f33_ = mixed(first.f33_, second.f33_, part);
 }
 
-double TabulatedPhaseFunction::value(double mu) const {
-  const double position = kSteps_per_unit * coordinate(mu);
-  const auto below =
-      static_cast<std::size_t>(std::clamp(position, 1.0, static_cast<double>(table_.size() - 3)));
-  const std::array<double, 4> weight = cubic_weights(position - static_cast<double>(below));
-  const double* const p = &table_[below - 1];
-  return p[0] * weight[0] + p[1] * weight[1] + p[2] * weight[2] + p[3] * weight[3];
-}
+double TabulatedPhaseFunction::value(double mu) const { return Place(mu).of(table_); }
 
 double TabulatedPhaseFunction::moment(int l) const {
   const auto order = static_cast<std::size_t>(l);
   return order < moments_.size() ? moments_[order] : 0.0;
+}
+
+ScatteringMatrix TabulatedPhaseFunction::matrix(double mu) const {
+  if (f12_.empty()) return PhaseFunction::matrix(mu);
+  const Place place(mu);
+  const double f11 = place.of(table_);
+  return {f11, place.of(f12_), f11, place.of(f33_)};
+}
+
+std::vector<MatrixMoments> TabulatedPhaseFunction::matrix_moments(int max_l) const {
+  if (f12_.empty()) return PhaseFunction::matrix_moments(max_l);
+  std::vector<MatrixMoments> moments(static_cast<std::size_t>(max_l + 1));
+  for (std::size_t l = 0; l < std::min(moments.size(), moments_.size()); ++l)
+    moments[l] = {moments_[l], polarisation_.alpha2[l], polarisation_.alpha3[l], polarisation_.beta1[l]};
+  return moments;
 }
 
 }  // namespace skylut

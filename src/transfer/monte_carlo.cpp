@@ -58,13 +58,19 @@ std::uint64_t view_key(const RelativeView& view) {
          std::bit_cast<std::uint64_t>(view.relative_azimuth_deg);
 }
 
-MonteCarloRadiance combine(const std::vector<double>& batch_means, std::size_t first) {
-  MonteCarloRadiance combined;
+struct Estimate {
+  double mean = 0.0;
+  double standard_error = 0.0;
+};
+
+/// Of one Stokes parameter of the view whose batches begin at `first`.
+Estimate combine(const std::vector<Stokes>& batch_means, std::size_t first, std::size_t parameter) {
+  Estimate combined;
   const auto count = static_cast<double>(kBatches);
-  for (std::size_t b = 0; b < kBatches; ++b) combined.radiance += batch_means[first + b] / count;
+  for (std::size_t b = 0; b < kBatches; ++b) combined.mean += batch_means[first + b][parameter] / count;
   double squares = 0.0;
   for (std::size_t b = 0; b < kBatches; ++b) {
-    const double deviation = batch_means[first + b] - combined.radiance;
+    const double deviation = batch_means[first + b][parameter] - combined.mean;
     squares += deviation * deviation;
   }
   combined.standard_error = std::sqrt(squares / (count * (count - 1.0)));
@@ -89,7 +95,7 @@ std::vector<MonteCarloRadiance> solve_monte_carlo(const Context& context, const 
   }
 
   const std::uint64_t per_batch = (options.photons + kBatches - 1) / kBatches;
-  std::vector<double> batch_means(request.views.size() * kBatches, 0.0);
+  std::vector<Stokes> batch_means(request.views.size() * kBatches);
   std::mutex progress_lock;
   std::size_t done = 0;
   parallel_for(batch_means.size(), context.threads, [&](std::size_t task) {
@@ -97,14 +103,22 @@ std::vector<MonteCarloRadiance> solve_monte_carlo(const Context& context, const 
     const FirstCollision& collision = collisions[view];
     if (collision.empty()) return;
     RandomStream random(options.seed, view_key(request.views[view]), task % kBatches);
-    double sum = 0.0;
+    Stokes sum{};
     for (std::uint64_t photon = 0; photon < per_batch; ++photon) {
       if (photon % 1024 == 0 && context.cancel.stop_requested()) throw Cancelled();
       // Stratified: one first collision in each equal share of the line of sight.
       const double choice = (static_cast<double>(photon) + random.uniform()) / static_cast<double>(per_batch);
-      sum += tracer.trace(collision.at(choice), directions[view], random);
+      const FirstCollision::Draw first = collision.at(choice);
+      if (options.polarised) {
+        const StokesPath path(directions[view], request.views[view].relative_azimuth_deg);
+        const Stokes found = tracer.trace(first, directions[view], path, random);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += found[i];
+      } else {
+        sum[0] += tracer.trace(first, directions[view], IntensityPath(directions[view]), random);
+      }
     }
-    batch_means[task] = sum / static_cast<double>(per_batch);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      batch_means[task][i] = sum[i] / static_cast<double>(per_batch);
     if (!context.progress) return;
     const std::scoped_lock lock(progress_lock);
     context.progress("tracing photons", ++done, batch_means.size());
@@ -112,8 +126,16 @@ std::vector<MonteCarloRadiance> solve_monte_carlo(const Context& context, const 
 
   std::vector<MonteCarloRadiance> radiance;
   for (std::size_t view = 0; view < request.views.size(); ++view) {
-    radiance.push_back(combine(batch_means, view * kBatches));
-    radiance.back().photons = per_batch * kBatches;
+    const auto [i, i_error] = combine(batch_means, view * kBatches, 0);
+    const auto [q, q_error] = combine(batch_means, view * kBatches, 1);
+    const auto [u, u_error] = combine(batch_means, view * kBatches, 2);
+    radiance.push_back({.radiance = i,
+                        .standard_error = i_error,
+                        .stokes_q = q,
+                        .stokes_q_error = q_error,
+                        .stokes_u = u,
+                        .stokes_u_error = u_error,
+                        .photons = per_batch * kBatches});
   }
   return radiance;
 }

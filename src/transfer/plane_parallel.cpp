@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 
 #include "plane_parallel/adding.hpp"
+#include "plane_parallel/azimuth_series.hpp"
 #include "plane_parallel/forward_peak_correction.hpp"
 #include "plane_parallel/layer_modes.hpp"
 #include "plane_parallel/scaled_medium.hpp"
@@ -19,9 +21,6 @@ namespace skylut {
 namespace {
 
 using namespace plane_parallel;
-
-/// The Fourier series ends when two modes in a row change no radiance by more than this share of it.
-constexpr double kAzimuthConvergence = 1e-6;
 
 /// Streams at most: beyond, delta-M and its corrections take over. An overhead sun needs one mode only; many
 /// layers cost many eigenproblems.
@@ -78,38 +77,6 @@ void check(const OpticalColumn& column, const PlaneParallelRequest& request) {
   }
 }
 
-/// Sums the azimuth series into the result.
-class AzimuthSeries {
- public:
-  AzimuthSeries(const PlaneParallelRequest& request, const ViewList& views, std::vector<double>& radiance)
-      : request_(request), views_(views), radiance_(radiance) {}
-
-  /// Adds mode m. @return true once the series has converged
-  bool add(int mode, const Eigen::MatrixXd& at_bounds, const std::vector<std::size_t>& output_bounds) {
-    double largest = 0.0;
-    for (double value : radiance_) largest = std::max(largest, std::abs(value));
-    double change = 0.0;
-    std::size_t at = 0;
-    for (std::size_t bound : output_bounds)
-      for (std::size_t direction = 0; direction < request_.directions.size(); ++direction) {
-        const double part = at_bounds(static_cast<Eigen::Index>(bound),
-                                      static_cast<Eigen::Index>(views_.of_direction[direction]));
-        radiance_[at] += part * std::cos(mode * request_.directions[direction].relative_azimuth_rad);
-        // Radiances 1e-10 of the largest carry no information.
-        change = std::max(change, std::abs(part) / (std::abs(radiance_[at]) + 1e-10 * largest));
-        ++at;
-      }
-    small_in_a_row_ = change < kAzimuthConvergence ? small_in_a_row_ + 1 : 0;
-    return small_in_a_row_ >= 2;
-  }
-
- private:
-  const PlaneParallelRequest& request_;
-  const ViewList& views_;
-  std::vector<double>& radiance_;
-  int small_in_a_row_ = 0;
-};
-
 /// Irradiances from mode 0. The scaled beam contains the forward peak; the true one does not: their
 /// difference is diffuse light.
 void set_fluxes(const ScaledMedium& medium, const Ordinates& ordinates, const BoundaryFields& fields,
@@ -127,18 +94,22 @@ void set_fluxes(const ScaledMedium& medium, const Ordinates& ordinates, const Bo
 /// Zenith angles solved at a time: their rows in the matrices of every material take no more than this.
 constexpr double kViewMemory_bytes = 256e6;
 
-std::size_t views_at_a_time(const ScaledMedium& medium) {
-  const double row_bytes = sizeof(double) * static_cast<double>(medium.streams) *
+/// Stokes parameters that are solved.
+double components(const PlaneParallelRequest& request) { return request.polarised ? 3.0 : 1.0; }
+
+std::size_t views_at_a_time(const ScaledMedium& medium, const PlaneParallelRequest& request) {
+  const double row_bytes = components(request) * components(request) * sizeof(double) *
+                           static_cast<double>(medium.streams) *
                            (static_cast<double>(medium.optics.size()) + 1.0);
   return static_cast<std::size_t>(std::max(16.0, kViewMemory_bytes / row_bytes));
 }
 
 /// @throws InputError  for layers and results that the machine cannot hold
 void refuse_too_much(const ScaledMedium& medium, const PlaneParallelRequest& request) {
-  const double nodes = 0.5 * medium.streams;
+  const double nodes = 0.5 * medium.streams * components(request);
   const auto slices = static_cast<double>(medium.slices.size());
-  const double results =
-      sizeof(double) * static_cast<double>(request.output_depths.size() * request.directions.size());
+  const double results = components(request) * sizeof(double) *
+                         static_cast<double>(request.output_depths.size() * request.directions.size());
   const double need =
       sizeof(double) * nodes * nodes * (4.0 * slices + 2.0 * static_cast<double>(medium.optics.size())) +
       kViewMemory_bytes + 4.0 * results;
@@ -151,27 +122,38 @@ void refuse_too_much(const ScaledMedium& medium, const PlaneParallelRequest& req
         memory / 1e9);
 }
 
+/// Fourier modes that there can be. A vertical beam has mode 0 only; so have vertical views, but for their Q
+/// and U, which turn with the plane they are counted from.
+int most_modes(const PlaneParallelRequest& request) {
+  if (is_overhead(request.cos_sun_zenith)) return 1;
+  const bool vertical = std::all_of(request.directions.begin(), request.directions.end(),
+                                    [](const PlaneDirection& at) { return is_overhead(at.cos_view); });
+  if (vertical) return request.polarised ? 3 : 1;
+  return std::numeric_limits<int>::max();
+}
+
 /// Adds the light scattered more than once towards the directions of a request that has few zenith angles.
 void add_multiple_scattering(const OpticalColumn& column, const ScaledMedium& medium,
-                             const PlaneParallelRequest& request, bool symmetric,
-                             PlaneParallelResult& result) {
+                             const PlaneParallelRequest& request, PlaneParallelResult& result) {
   const double cos_sun = request.cos_sun_zenith;
   const Illumination light{cos_sun, request.isotropic_top_radiance, column.ground_albedo};
   const ViewList views(request.directions);
   const Eigen::VectorXd cos_views = Eigen::Map<const Eigen::VectorXd>(
       views.cosines.data(), static_cast<Eigen::Index>(views.cosines.size()));
-  result.radiance = exact_single_scattering(column, medium, request, views);
-  AzimuthSeries series(request, views, result.radiance);
-  const int most_modes = symmetric ? 1 : result.streams;
+  const Eigen::VectorXd cos_components = cos_views.replicate(request.polarised ? 3 : 1, 1);
+  set_exact_single_scattering(column, medium, request, views, result);
+  AzimuthSeries series(request, views, result);
+  const int modes_at_most = std::min(most_modes(request), result.streams);
   bool converged = false;
-  for (int mode = 0; mode < most_modes && !converged; ++mode) {
-    const Ordinates ordinates = make_ordinates(result.streams, mode, cos_sun, cos_views);
+  for (int mode = 0; mode < modes_at_most && !converged; ++mode) {
+    const Ordinates ordinates = make_ordinates(result.streams, mode, cos_sun, cos_views, request.polarised);
     std::vector<LayerModes> modes;
     for (const LayerOptics& optics : medium.optics)
       modes.push_back(solve_layer_modes(optics, ordinates, cos_sun));
     const BoundaryFields fields = join_slices(medium, modes, ordinates, light);
     if (mode == 0) set_fluxes(medium, ordinates, fields, cos_sun, result);
-    const Eigen::MatrixXd at_bounds = radiance_at_views(medium, modes, ordinates, light, fields, cos_views);
+    const Eigen::MatrixXd at_bounds =
+        radiance_at_views(medium, modes, ordinates, light, fields, cos_components);
     converged = series.add(mode, at_bounds, medium.output_bounds);
     result.azimuth_modes = mode + 1;
   }
@@ -189,33 +171,35 @@ std::vector<std::vector<std::size_t>> parts_of(const std::vector<PlaneDirection>
 }
 
 PlaneParallelResult solve(const OpticalColumn& column, const PlaneParallelRequest& request) {
-  // A vertical beam or vertical views have no azimuth: mode 0 is all.
-  const bool symmetric =
-      is_overhead(request.cos_sun_zenith) ||
-      std::all_of(request.directions.begin(), request.directions.end(),
-                  [](const PlaneDirection& direction) { return is_overhead(direction.cos_view); });
   PlaneParallelResult result;
+  const bool one_mode = most_modes(request) == 1;
   result.streams =
-      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, symmetric));
-  const ScaledMedium medium = scale_medium(column, request.output_depths, result.streams);
+      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, one_mode));
+  const ScaledMedium medium = scale_medium(column, request.output_depths, result.streams, request.polarised);
   refuse_too_much(medium, request);
-  const auto parts = parts_of(request.directions, views_at_a_time(medium));
+  const auto parts = parts_of(request.directions, views_at_a_time(medium, request));
   if (parts.size() == 1) {
-    add_multiple_scattering(column, medium, request, symmetric, result);
+    add_multiple_scattering(column, medium, request, result);
     return result;
   }
   result.radiance.resize(request.output_depths.size() * request.directions.size());
+  if (request.polarised) result.stokes_q = result.stokes_u = result.radiance;
   for (const std::vector<std::size_t>& part : parts) {
     PlaneParallelRequest asked = request;
     asked.directions.clear();
     for (const std::size_t i : part) asked.directions.push_back(request.directions[i]);
     PlaneParallelResult found;
     found.streams = result.streams;
-    add_multiple_scattering(column, medium, asked, symmetric, found);
+    add_multiple_scattering(column, medium, asked, found);
     for (std::size_t depth = 0; depth < request.output_depths.size(); ++depth)
-      for (std::size_t i = 0; i < part.size(); ++i)
-        result.radiance[depth * request.directions.size() + part[i]] =
-            found.radiance[depth * part.size() + i];
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const std::size_t from = depth * part.size() + i;
+        const std::size_t to = depth * request.directions.size() + part[i];
+        result.radiance[to] = found.radiance[from];
+        if (!request.polarised) continue;
+        result.stokes_q[to] = found.stokes_q[from];
+        result.stokes_u[to] = found.stokes_u[from];
+      }
     result.flux_direct = found.flux_direct;
     result.flux_down_diffuse = found.flux_down_diffuse;
     result.flux_up = found.flux_up;

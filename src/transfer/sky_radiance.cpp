@@ -29,6 +29,10 @@ void keep_radiances(const LineOfSight& line, const Block& block, std::span<const
         throw WorkError("radiance of column {} is not a number: do its phase functions hold one?",
                         block.columns[lane]);
       result.at(block.columns[lane], line.sights[pair]) = found;
+      if (!result.has_stokes()) continue;
+      const std::size_t next = line.pairs.size() * lanes;
+      result.stokes_q(block.columns[lane], line.sights[pair]) = radiance[next + pair * lanes + lane];
+      result.stokes_u(block.columns[lane], line.sights[pair]) = radiance[2 * next + pair * lanes + lane];
     }
 }
 
@@ -46,7 +50,7 @@ std::size_t steps_of(const Work& work, const std::vector<ColumnGroup>& groups,
 
 SkyRadiance solve(const Context& context, const Work& work, const std::vector<ColumnGroup>& groups,
                   const std::vector<std::vector<LineOfSight>>& lines) {
-  SkyRadiance result(work.columns.size(), work.sights);
+  SkyRadiance result(work.columns.size(), work.sights, work.options.stokes);
   TransferReport& report = result.report();
   WorkProgress progress(context, steps_of(work, groups, lines));
   for (std::size_t band = 0; band < work.bands.size(); ++band) {
@@ -66,7 +70,7 @@ SkyRadiance solve(const Context& context, const Work& work, const std::vector<Co
       // 3. Lines of sight through it, with the sun's single scattering exactly.
       progress.run(lines[band].size(), batch.size(), [&](std::size_t index) {
         const LineOfSight& line = lines[band][index];
-        answer_line_of_sight(solution.common(), line, batch,
+        answer_line_of_sight(solution.common(), line, batch, work.options.stokes,
                              [&](const Block& block, std::span<const float> radiance) {
                                keep_radiances(line, block, radiance, result);
                              });

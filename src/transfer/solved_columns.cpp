@@ -106,6 +106,9 @@ struct SolvedColumns::Solution {
     for (std::size_t kind = 0; kind < 3; ++kind)
       for (std::size_t s = 0; s < own; ++s) copy(kind * own + s, kind * scatterers + s);
     copy(3 * own, 3 * scatterers);
+    if (!options.stokes) return;
+    copy(3 * own + 1, 3 * scatterers + 1);
+    copy(3 * own + 2, 3 * scatterers + 2);
   }
 
   /// The band that answers, and its line of sight.
@@ -138,6 +141,9 @@ SolvedColumns& SolvedColumns::operator=(SolvedColumns&&) noexcept = default;
 
 std::size_t SolvedColumns::columns() const { return solution_->columns.size(); }
 std::size_t SolvedColumns::scatterers() const { return solution_->scatterers; }
+std::size_t SolvedColumns::parts() const {
+  return 3 * solution_->scatterers + (solution_->options.stokes ? 3 : 1);
+}
 const Shells& SolvedColumns::shells() const { return solution_->shells; }
 const TransferReport& SolvedColumns::report() const { return solution_->report; }
 
@@ -145,7 +151,7 @@ void SolvedColumns::radiance(const SightLine& line, std::span<float> radiance) c
   const std::size_t azimuths = line.relative_azimuth_deg.size();
   SKYLUT_CHECK_EQ(radiance.size(), columns() * azimuths);
   const auto [band, asked] = solution_->question(line);
-  answer_line_of_sight(band->common(), asked, band->blocks(),
+  answer_line_of_sight(band->common(), asked, band->blocks(), false,
                        [&](const Block& block, std::span<const float> values) {
                          const auto lanes = static_cast<std::size_t>(block.optics->lanes);
                          for (std::size_t lane = 0; lane < block.columns.size(); ++lane)
@@ -170,7 +176,7 @@ void SolvedColumns::radiance_parts(std::span<const SightLine> lines, std::span<f
     asked.push_back(std::move(question));
   }
   std::fill(parts.begin(), parts.end(), 0.0f);
-  answer_in_parts(band->common(), asked, band->blocks(),
+  answer_in_parts(band->common(), asked, band->blocks(), solution_->options.stokes,
                   [&](std::size_t line, const Block& block, std::span<const float> values) {
                     solution_->sort(block, values, azimuths, 0, azimuths, parts.subspan(line * size, size));
                   });
@@ -194,7 +200,7 @@ void SolvedColumns::radiance_parts(const SightFan& fan, std::span<float> parts) 
       asked.pairs.insert(asked.pairs.end(), next.pairs.begin(), next.pairs.end());
     }
     const std::size_t pairs = asked.pairs.size();
-    answer_in_parts(band->common(), {&asked, 1}, band->blocks(),
+    answer_in_parts(band->common(), {&asked, 1}, band->blocks(), solution_->options.stokes,
                     [&](std::size_t, const Block& block, std::span<const float> values) {
                       for (std::size_t sun = first; sun < last; ++sun)
                         solution_->sort(block, values, pairs, (sun - first) * azimuths, azimuths,

@@ -70,7 +70,7 @@ struct AerosolOptics {
 };
 
 /// Optics of a description: Mie's theory for its particles, at 13 wavelengths from 300 to 1000 nm. Takes
-/// 0.2-2 s of one core the first time, some 0.05 s later (kept in the context's cache folder).
+/// 0.2-2.5 s of one core the first time, some 0.1 s later (kept in the context's cache folder).
 AerosolOptics aerosol_optics(const Context& context, const AerosolDescription& description);
 
 /// Reads and computes an aerosol. @throws InputError as load_aerosol_description()

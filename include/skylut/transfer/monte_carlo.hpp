@@ -21,6 +21,9 @@ struct MonteCarloOptions {
   std::uint64_t photons = 100'000;  ///< per view, 128 to 1e12; rounded up to a multiple of 64 (the batches)
   std::uint64_t seed = 1;
   int orders = 0;  ///< highest number of scatterings and ground reflections; 0: all
+  /// Light with Stokes parameters I, Q, U by the scatterers' matrices, instead of a number by their phase
+  /// functions.
+  bool polarised = false;
 };
 
 /// Mean and one standard error of it, from 64 independent batches; per unit solar irradiance on a plane
@@ -28,7 +31,14 @@ struct MonteCarloOptions {
 struct MonteCarloRadiance {
   double radiance = 0.0;
   double standard_error = 0.0;
-  std::uint64_t photons = 0;  ///< traced
+  /// Q = I (E-vector in the vertical plane of the line of sight) - I (horizontal); U > 0: E-vector along
+  /// (towards the zenith + towards increasing relative azimuth)/√2. 0 where polarised is false. V is left out
+  /// (scattering/scattering_matrix.hpp).
+  double stokes_q = 0.0;
+  double stokes_q_error = 0.0;  ///< one standard error
+  double stokes_u = 0.0;
+  double stokes_u_error = 0.0;  ///< one standard error
+  std::uint64_t photons = 0;    ///< traced
 };
 
 /// Radiance of the sky by backward Monte Carlo in spherical shells (Collins et al. 1972): photons leave the

@@ -23,6 +23,8 @@ struct PlaneParallelRequest {
   std::vector<PlaneDirection> directions;
   /// Discrete ordinates in both hemispheres, even, 4-512; 0: chosen from the phase functions.
   int streams = 0;
+  /// Stokes Q and U too, and the radiance of light that is polarised; false: light without polarisation.
+  bool polarised = false;
 
   /// Every view under every azimuth, azimuth fastest, as directions.
   static std::vector<PlaneDirection> every(const std::vector<double>& cos_views,
@@ -33,6 +35,12 @@ struct PlaneParallelRequest {
 struct PlaneParallelResult {
   /// Diffuse radiance, sr⁻¹: [depth][direction] in one array, direction fastest. Without the direct beam.
   std::vector<double> radiance;
+  /// Stokes parameters in sr⁻¹, same layout; empty unless polarised. Q = I(E-vector in the vertical plane of
+  /// the direction) - I(horizontal); U > 0: E-vector along (downwards for light that rises + towards
+  /// increasing azimuth of travel), that is, for who looks at it, along (zenith + increasing azimuth of
+  /// view).
+  std::vector<double> stokes_q;
+  std::vector<double> stokes_u;
   std::vector<double> flux_direct;        ///< per depth, on a horizontal plane, unscattered beam
   std::vector<double> flux_down_diffuse;  ///< per depth
   std::vector<double> flux_up;            ///< per depth
@@ -45,6 +53,10 @@ struct PlaneParallelResult {
 /// radiances at any angle by integrating the source function, delta-M scaling (Wiscombe 1977) with exact
 /// single scattering and the correction of the aureole (TMS and IMS of Nakajima & Tanaka 1988).
 /// Conservative layers, pure absorbers, layers of any depth. [plane-parallel-and-monte-carlo.md §1]
+///
+/// Polarised: the same for (I, Q, U), with phase matrices in place of phase functions (Siewert 2000,
+/// doi:10.1016/S0022-4073(99)00006-0, has discrete ordinates for vectors). The ground depolarises; the
+/// aureole's second correction (IMS) is I's alone; V is left out.
 ///
 /// Accuracy with automatic streams: see the table in plane-parallel-and-monte-carlo.md §3.
 ///

@@ -17,6 +17,10 @@ struct DiscretisationOptions {
   double truncated_peak;
   /// Legendre degree that is enough for a phase function with a narrow peak, 2 to 30.
   int narrow_peak_degree;
+  /// Legendre degree to which the polarisation of diffuse light is followed, 2 to 30; 0: light is taken for
+  /// unpolarised, which it is not. Singly scattered light, which holds the sharp structure, is polarised
+  /// exactly. [docs/polarisation.md]
+  int polarised_degree;
   /// Polar nodes per hemisphere, per Legendre degree, [0.5, 4].
   double polar_per_degree;
   /// 4 to 64, per hemisphere.
@@ -40,9 +44,8 @@ struct DiscretisationOptions {
 DiscretisationOptions discretisation_of(Quality quality);
 
 /// Changes one number of a quality by its name in the command line: "optical-step", "truncated-peak",
-/// "narrow-peak-degrees", "polar-per-degree", "polar-nodes", "sun-nodes", "sun-bands" and
-/// "merge-layers" (0 or 1),
-/// "ray-step-km", "sunbeam-step-km", "tolerance".
+/// "narrow-peak-degrees", "polarised-degrees", "polar-per-degree", "polar-nodes", "sun-nodes", "sun-bands"
+/// and "merge-layers" (0 or 1), "ray-step-km", "sunbeam-step-km", "tolerance".
 /// @throws InputError  for an unknown name (listing the known ones) or a value out of range
 void set_discretisation(DiscretisationOptions& options, std::string_view name, double value);
 

@@ -33,6 +33,8 @@ struct SkyRequest {
 struct TransferOptions {
   DiscretisationOptions discretisation = discretisation_of(Quality::standard);
   int scattering_orders = 0;  ///< highest order of scattering; 0: all, until converged
+  /// Whether Q and U of the sky are wanted beside I. Needs a discretisation that follows polarisation.
+  bool stokes = false;
   /// What the work may take before it is refused, bytes; 0: three quarters of the machine's memory.
   double most_memory_bytes = 0.0;
 };
@@ -48,10 +50,23 @@ struct TransferReport {
 };
 
 /// Diffuse radiance (the direct sun is not in it) per unit solar irradiance on a plane normal to the
-/// beam at the top of the atmosphere, sr⁻¹, for every column and sight; >= 0.
+/// beam at the top of the atmosphere, sr⁻¹, for every column and sight; I >= 0. Stokes parameters where they
+/// were asked for: Q = I in the vertical plane of the line of sight - I across it (of the electric vector),
+/// U > 0 where it lies towards zenith and growing azimuth. [docs/polarisation.md P1]
 class SkyRadiance {
  public:
-  SkyRadiance(std::size_t columns, std::size_t sights) : sights_(sights), value_(columns * sights) {}
+  SkyRadiance(std::size_t columns, std::size_t sights, bool stokes = false)
+      : sights_(sights), value_(columns * sights), polarised_(stokes ? 2 * columns * sights : 0) {}
+
+  bool has_stokes() const { return !polarised_.empty(); }
+  float& stokes_q(std::size_t column, std::size_t sight) { return polarised_[column * sights_ + sight]; }
+  float stokes_q(std::size_t column, std::size_t sight) const { return polarised_[column * sights_ + sight]; }
+  float& stokes_u(std::size_t column, std::size_t sight) {
+    return polarised_[value_.size() + column * sights_ + sight];
+  }
+  float stokes_u(std::size_t column, std::size_t sight) const {
+    return polarised_[value_.size() + column * sights_ + sight];
+  }
 
   float& at(std::size_t column, std::size_t sight) { return value_[column * sights_ + sight]; }
   float at(std::size_t column, std::size_t sight) const { return value_[column * sights_ + sight]; }
@@ -73,6 +88,7 @@ class SkyRadiance {
   std::size_t suns_ = 0;
   std::size_t views_ = 0;
   std::vector<float> value_;
+  std::vector<float> polarised_;  // Q of all, then U; empty: not asked for
   TransferReport report_;
 };
 

@@ -52,8 +52,9 @@ class SolvedColumns {
   std::size_t columns() const;
   /// The most that a column has; parts of those that another lacks are 0.
   std::size_t scatterers() const;
-  /// A of each scatterer, B of each, C of each, D.
-  std::size_t parts() const { return 3 * scatterers() + 1; }
+  /// A of each scatterer, B of each, C of each, D; then the diffuse Q and U where TransferOptions::stokes
+  /// asks.
+  std::size_t parts() const;
 
   /// @param radiance  sr⁻¹, [column][azimuth]; >= 0
   /// @throws InputError  for values out of range, or a sun whose band was not asked for

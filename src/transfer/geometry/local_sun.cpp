@@ -43,7 +43,9 @@ LocalSun::Point LocalSun::locate(const RayPoint& point) const {
   Point local;
   local.sun_weights.reserve(pairs_.size());
   local.azimuth_factor.resize(pairs_.size() * static_cast<std::size_t>(azimuthal_orders_));
+  local.azimuth_sine.resize(local.azimuth_factor.size());
   float* factor = local.azimuth_factor.data();
+  float* sine = local.azimuth_sine.data();
   const double local_sin_view = std::sqrt(std::max(0.0, 1.0 - point.cos_view * point.cos_view));
   for (const AtStart& pair : pairs_) {
     const Cosines local_cosines = cosines_at(point, pair);
@@ -58,12 +60,19 @@ LocalSun::Point LocalSun::locate(const RayPoint& point) const {
                       : pair.cos_azimuth;
     double previous = 1.0;
     double current = cosine;
+    double previous_sine = 0.0;
+    double current_sine = std::sqrt(1.0 - cosine * cosine);
     *factor++ = 1.0f;
+    *sine++ = 0.0f;
     for (int m = 1; m < azimuthal_orders_; ++m) {
       *factor++ = static_cast<float>(2.0 * current);
+      *sine++ = static_cast<float>(2.0 * current_sine);
       const double next = 2.0 * cosine * current - previous;  // cos((m+1)φ)
       previous = current;
       current = next;
+      const double next_sine = 2.0 * cosine * current_sine - previous_sine;
+      previous_sine = current_sine;
+      current_sine = next_sine;
     }
   }
   return local;

@@ -29,6 +29,7 @@ class LocalSun {
   struct Point {
     std::vector<InterpolationWeights> sun_weights;  ///< [pair]
     std::vector<float> azimuth_factor;              ///< [pair][m]: (2-δ_m0) cos mφ
+    std::vector<float> azimuth_sine;                ///< [pair][m]: 2 sin mφ
   };
   /// References stay valid.
   const Point& at(const RayPoint& point);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skylut/core/constants.hpp"
+
 namespace skylut::transfer {
 
 SlantDepthGrid::SlantDepthGrid(const ShellGeometry& layers)
@@ -65,6 +67,11 @@ double SlantDepthGrid::cos_apparent_sun(double altitude_km, double cos_sun_zenit
   if (!refraction_) return cos_sun_zenith;
   return std::cos(
       refraction_->apparent_sun_rad(altitude_km, std::acos(std::clamp(cos_sun_zenith, -1.0, 1.0))));
+}
+
+double SlantDepthGrid::apparent_sun_deg(double altitude_km, double sun_zenith_deg) const {
+  if (!refraction_) return sun_zenith_deg;
+  return refraction_->apparent_sun_rad(altitude_km, sun_zenith_deg * kRadiansPerDegree) * kDegreesPerRadian;
 }
 
 SlantDepthView SlantDepthGrid::view() const {

@@ -36,6 +36,8 @@ class SlantDepthGrid {
 
   /// Cosine of the apparent sun's local zenith angle (SunRefraction::apparent_sun_rad).
   double cos_apparent_sun(double altitude_km, double cos_sun_zenith) const;
+  /// The same angle in degrees; straight beams: as it was given.
+  double apparent_sun_deg(double altitude_km, double sun_zenith_deg) const;
   /// Whether the ground does not hide the sun.
   bool is_lit(double altitude_km, double along_sun_km) const;
 

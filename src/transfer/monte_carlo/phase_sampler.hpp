@@ -21,6 +21,7 @@ class PhaseSampler {
   double density(double cos_angle) const;
 
   double value(double cos_angle) const { return phase_->value(cos_angle); }
+  const PhaseFunction& phase() const { return *phase_; }
 
  private:
   const PhaseFunction* phase_;

@@ -39,15 +39,17 @@ PhotonTracer::PhotonTracer(const Shells& shells, const OpticalColumn& column, co
   if (!samplers_.empty() && samplers_[most_peaked_].value(1.0) > kPeak) share_towards_sun_ = kShareTowardsSun;
 }
 
-double PhotonTracer::sunlight_scattered(const PhotonPosition& place, const Vector& direction) const {
+template <typename Path>
+void PhotonTracer::find_sunlight(const PhotonPosition& place, const Vector& direction, Path& path) const {
   const double transmitted = std::exp(-shells_.depth_to_top(place, to_sun_));
-  if (transmitted == 0.0) return 0.0;
+  if (transmitted == 0.0) return;
   // Backwards: light from the sun turns by the same angle as the photon that goes towards it.
   const double cos_angle = std::fmin(1.0, std::fmax(-1.0, dot(direction, to_sun_)));
-  double scattered = 0.0;
+  typename Path::Law scattered{};
   for (std::size_t s = 0; s < samplers_.size(); ++s)
-    if (albedo_[place.layer][s] > 0.0) scattered += albedo_[place.layer][s] * samplers_[s].value(cos_angle);
-  return scattered / (4.0 * kPi) * transmitted;
+    if (albedo_[place.layer][s] > 0.0)
+      Path::add(scattered, albedo_[place.layer][s], Path::law(samplers_[s].phase(), cos_angle));
+  path.find_scattered(direction, to_sun_, scattered, transmitted);
 }
 
 double PhotonTracer::sunlight_reflected(const PhotonPosition& place) const {
@@ -56,11 +58,12 @@ double PhotonTracer::sunlight_reflected(const PhotonPosition& place) const {
   return ground_albedo_ / kPi * cos_sun * std::exp(-shells_.depth_to_top(place, to_sun_));
 }
 
-double PhotonTracer::scatter(const PhotonPosition& place, Vector& direction, RandomStream& random) const {
+PhotonTracer::Scattering PhotonTracer::scatter(const PhotonPosition& place, const Vector& direction,
+                                               RandomStream& random) const {
   const std::vector<double>& shares = albedo_[place.layer];
   double albedo = 0.0;
   for (double share : shares) albedo += share;
-  if (albedo == 0.0) return 0.0;
+  if (albedo == 0.0) return {};
   double rest = random.uniform() * albedo;
   std::size_t chosen = shares.size();
   for (std::size_t s = 0; s < shares.size(); ++s) {
@@ -73,8 +76,7 @@ double PhotonTracer::scatter(const PhotonPosition& place, Vector& direction, Ran
   const double azimuth = 2.0 * kPi * random.uniform();
   if (share_towards_sun_ == 0.0) {
     const double cos_angle = sampler.draw(random);
-    direction = turned(direction, cos_angle, azimuth);
-    return albedo * 0.5 * sampler.value(cos_angle) / sampler.density(cos_angle);
+    return {albedo, chosen, turned(direction, cos_angle, azimuth), cos_angle, sampler.density(cos_angle)};
   }
   const PhaseSampler& peaked = samplers_[most_peaked_];
   const bool towards_sun = random.uniform() < share_towards_sun_;
@@ -83,8 +85,7 @@ double PhotonTracer::scatter(const PhotonPosition& place, Vector& direction, Ran
   const double cos_angle = dot(drawn, direction);
   const double density = (1.0 - share_towards_sun_) * sampler.density(cos_angle) +
                          share_towards_sun_ * peaked.density(dot(drawn, to_sun_));
-  direction = drawn;
-  return albedo * 0.5 * sampler.value(cos_angle) / density;
+  return {albedo, chosen, drawn, cos_angle, density};
 }
 
 double PhotonTracer::reflect(const PhotonPosition& place, Vector& direction, RandomStream& random) const {
@@ -120,29 +121,40 @@ WalkEnd PhotonTracer::fly(PhotonPosition& place, const Vector& direction, Random
   return end;
 }
 
-double PhotonTracer::trace(const FirstCollision::Draw& first, Vector direction, RandomStream& random) const {
+template <typename Path>
+typename Path::Found PhotonTracer::trace(const FirstCollision::Draw& first, Vector direction, Path path,
+                                         RandomStream& random) const {
   PhotonPosition place = first.place;
   bool at_ground = first.ground;
-  double weight = 1.0;  // relative to the first collision's
-  double found = 0.0;
   for (int order = 1;; ++order) {
-    found += weight * (at_ground ? sunlight_reflected(place) : sunlight_scattered(place, direction));
+    if (at_ground)
+      path.find_reflected(sunlight_reflected(place));
+    else
+      find_sunlight(place, direction, path);
     if (order == orders_) break;
     if (at_ground) {
-      weight *= reflect(place, direction, random);
+      const double factor = reflect(place, direction, random);
+      path.reflect(direction, factor);
     } else {
-      weight *= scatter(place, direction, random);
+      const Scattering drawn = scatter(place, direction, random);
+      if (drawn.albedo == 0.0) break;
+      path.scatter(direction, drawn.direction, drawn.albedo,
+                   Path::law(samplers_[drawn.scatterer].phase(), drawn.cos_angle), drawn.density);
+      direction = drawn.direction;
     }
-    if (weight == 0.0) break;
-    if (std::abs(weight) < kRouletteWeight) {
+    if (path.weight() == 0.0) break;
+    if (std::abs(path.weight()) < kRouletteWeight) {
       if (random.uniform() >= kRouletteSurvival) break;
-      weight /= kRouletteSurvival;
+      path.divide_weight(kRouletteSurvival);
     }
     const WalkEnd end = fly(place, direction, random);
     if (end == WalkEnd::top) break;
     at_ground = end == WalkEnd::ground;
   }
-  return first.weight * found;
+  return path.found(first.weight);
 }
+
+template double PhotonTracer::trace(const FirstCollision::Draw&, Vector, IntensityPath, RandomStream&) const;
+template Stokes PhotonTracer::trace(const FirstCollision::Draw&, Vector, StokesPath, RandomStream&) const;
 
 }  // namespace skylut::monte_carlo

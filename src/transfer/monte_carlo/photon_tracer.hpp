@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "first_collision.hpp"
+#include "intensity_path.hpp"
 #include "phase_sampler.hpp"
 #include "random_stream.hpp"
 #include "shell_walk.hpp"
+#include "stokes_path.hpp"
 
 namespace skylut::monte_carlo {
 
@@ -17,14 +19,25 @@ class PhotonTracer {
   const ShellWalk& shells() const { return shells_; }
 
   /// Radiance that one photon finds, sr⁻¹. @param view the direction it left the observer in
-  double trace(const FirstCollision::Draw& first, Vector view, RandomStream& random) const;
+  /// @param path  what it carries: an IntensityPath or a StokesPath
+  template <typename Path>
+  typename Path::Found trace(const FirstCollision::Draw& first, Vector view, Path path,
+                             RandomStream& random) const;
 
  private:
-  double sunlight_scattered(const PhotonPosition& place, const Vector& direction) const;
+  /// What one scattering has drawn.
+  struct Scattering {
+    double albedo = 0.0;        ///< of the layer; 0: it only absorbs
+    std::size_t scatterer = 0;  ///< index
+    Vector direction{};         ///< new
+    double cos_angle = 0.0;
+    double density = 0.0;  ///< of the draw, per unit of the cosine
+  };
+  template <typename Path>
+  void find_sunlight(const PhotonPosition& place, const Vector& direction, Path& path) const;
   double sunlight_reflected(const PhotonPosition& place) const;
-  /// Scatters: new direction; returns the factor on the weight. 0 if the layer only absorbs.
-  double scatter(const PhotonPosition& place, Vector& direction, RandomStream& random) const;
-  /// Reflects at the ground: the same.
+  Scattering scatter(const PhotonPosition& place, const Vector& direction, RandomStream& random) const;
+  /// Reflects at the ground: new direction; returns the factor on the weight.
   double reflect(const PhotonPosition& place, Vector& direction, RandomStream& random) const;
   /// Free flight to the next collision.
   WalkEnd fly(PhotonPosition& place, const Vector& direction, RandomStream& random) const;

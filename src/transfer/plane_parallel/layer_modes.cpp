@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "kernel_rows.hpp"
 #include "normalised_legendre.hpp"
 #include "skylut/core/constants.hpp"
 #include "skylut/core/errors.hpp"
@@ -23,32 +24,6 @@ constexpr const char* kImpossiblePhase =
     "a layer's Legendre moments make it scatter more than it receives: must be those of a phase function >= "
     "0";
 
-/// Rows of Λ with l+m even (parity 0) or odd (1), and the weights ω (2l+1) χ_l.
-struct Parity {
-  Eigen::MatrixXd nodes;
-  Eigen::MatrixXd views;
-  Eigen::VectorXd sun;
-  Eigen::VectorXd weight;
-};
-
-Parity take_parity(const LayerOptics& optics, const Ordinates& ordinates, int parity) {
-  const Eigen::Index rows = ordinates.legendre.rows();
-  const Eigen::Index count = (rows - parity + 1) / 2;
-  Parity taken{{count, ordinates.legendre.cols()},
-               {count, ordinates.legendre_view.cols()},
-               Eigen::VectorXd(count),
-               Eigen::VectorXd(count)};
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Index row = 2 * k + parity;
-    const Eigen::Index l = row + ordinates.mode;
-    taken.nodes.row(k) = ordinates.legendre.row(row);
-    taken.views.row(k) = ordinates.legendre_view.row(row);
-    taken.sun[k] = ordinates.legendre_sun[row];
-    taken.weight[k] = optics.scattering_albedo * (2.0 * static_cast<double>(l) + 1.0) * optics.moments[l];
-  }
-  return taken;
-}
-
 double beam_rate_off_resonance(double cos_sun, const Eigen::VectorXd& rate) {
   const double wanted = 1.0 / cos_sun;
   double used = wanted;
@@ -59,7 +34,8 @@ double beam_rate_off_resonance(double cos_sun, const Eigen::VectorXd& rate) {
 
 }  // namespace
 
-Ordinates make_ordinates(int streams, int mode, double cos_sun, const Eigen::VectorXd& cos_views) {
+Ordinates make_ordinates(int streams, int mode, double cos_sun, const Eigen::VectorXd& cos_views,
+                         bool polarised) {
   const Quadrature rule = gauss_legendre(streams / 2, 0.0, 1.0);
   Ordinates ordinates;
   ordinates.mode = mode;
@@ -70,17 +46,25 @@ Ordinates make_ordinates(int streams, int mode, double cos_sun, const Eigen::Vec
   ordinates.legendre = normalised_legendre(mode, streams, ordinates.mu) * root.asDiagonal();
   ordinates.legendre_sun = normalised_legendre(mode, streams, Eigen::VectorXd::Constant(1, cos_sun)).col(0);
   ordinates.legendre_view = normalised_legendre(mode, streams, cos_views.cwiseAbs());
+  if (!polarised) return ordinates;
+  ordinates.polarised = true;
+  ordinates.functions = polarised_functions(mode, streams, ordinates.mu);
+  ordinates.functions.r *= root.asDiagonal();
+  ordinates.functions.t *= root.asDiagonal();
+  ordinates.functions_view = polarised_functions(mode, streams, cos_views.cwiseAbs());
+  const Eigen::Index nodes = ordinates.mu.size();
+  ordinates.mu = ordinates.mu.replicate(3, 1).eval();
+  ordinates.flux_root.conservativeResizeLike(Eigen::VectorXd::Zero(3 * nodes));
   return ordinates;
 }
 
 LayerModes solve_layer_modes(const LayerOptics& optics, const Ordinates& ordinates, double cos_sun) {
   LayerModes modes;
-  const Eigen::Index rows = ordinates.legendre.rows();
-  modes.scatters = optics.scattering_albedo > 0.0 && optics.moments.tail(rows).cwiseAbs().maxCoeff() > 0.0;
+  modes.scatters = scatters_in_mode(optics, ordinates);
   if (!modes.scatters) return modes;
 
-  const Parity even = take_parity(optics, ordinates, 0);
-  const Parity odd = take_parity(optics, ordinates, 1);
+  const KernelRows even = kernel_rows(optics, ordinates, 0);
+  const KernelRows odd = kernel_rows(optics, ordinates, 1);
   const Eigen::MatrixXd inverse_mu = ordinates.mu.cwiseInverse().asDiagonal();
   const Eigen::MatrixXd a = inverse_mu - odd.nodes.transpose() * odd.weight.asDiagonal() * odd.nodes;
   const Eigen::MatrixXd b = inverse_mu - even.nodes.transpose() * even.weight.asDiagonal() * even.nodes;

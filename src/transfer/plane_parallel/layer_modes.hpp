@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "polarised_functions.hpp"
 #include "scaled_medium.hpp"
 
 namespace skylut::plane_parallel {
@@ -10,13 +11,19 @@ namespace skylut::plane_parallel {
 ///
 /// Double-Gauss nodes μ_i with weights w_i on (0, 1]. Vectors are kept in the scaled form
 /// ι = (wμ)^½ I, in which reflection and transmission are symmetric matrices (reciprocity).
+///
+/// Polarised, a vector holds I at all nodes, then Q, then U, and U of the light that goes down with its sign
+/// changed: then both hemispheres have the same equations, as without polarisation (kernel_rows.hpp).
 struct Ordinates {
-  Eigen::VectorXd mu;             ///< N nodes, ascending
-  Eigen::VectorXd flux_root;      ///< (wμ)^½: irradiance = 2π Σ flux_root ι
+  bool polarised = false;
+  Eigen::VectorXd mu;             ///< N nodes, ascending; polarised: three times
+  Eigen::VectorXd flux_root;      ///< (wμ)^½: irradiance = 2π Σ flux_root ι; 0 for Q and U
   int mode = 0;                   ///< m
   Eigen::MatrixXd legendre;       ///< z_l = Λ_lm(μ_i) (w_i/μ_i)^½, rows l = m …
   Eigen::VectorXd legendre_sun;   ///< Λ_lm(μ0)
   Eigen::MatrixXd legendre_view;  ///< Λ_lm(|μ_view|), columns are views
+  PolarisedFunctions functions;   ///< at the nodes, with the same factor; empty unless polarised
+  PolarisedFunctions functions_view;
 };
 
 /// General solution of one material in Fourier mode m. With σ = ι⁺+ι⁻ and δ = ι⁺-ι⁻ (up, down) the
@@ -33,7 +40,8 @@ struct LayerModes {
   double beam_rate = 0.0;            ///< λ, moved by 2e-7 of itself if it meets a rate (resonance)
   Eigen::VectorXd beam_sum;          ///< σ of the particular solution at unit beam, × e^{-λτ}
   Eigen::VectorXd beam_difference;   ///< δ of the same
-  /// Source function towards the views: J(±μ) = even·(σ part) ± odd·(δ part), as rows per view.
+  /// Source function towards the views: J(±μ) = even·(σ part) ± odd·(δ part), as rows per view; polarised:
+  /// I of all views, Q, then U.
   Eigen::MatrixXd view_even;       ///< × x
   Eigen::MatrixXd view_odd;        ///< × x'
   Eigen::VectorXd view_beam_even;  ///< × e^{-λτ}; light scattered at least twice
@@ -45,6 +53,7 @@ struct LayerModes {
 LayerModes solve_layer_modes(const LayerOptics& optics, const Ordinates& ordinates, double cos_sun);
 
 /// Nodes, weights and Legendre functions for Fourier mode m.
-Ordinates make_ordinates(int streams, int mode, double cos_sun, const Eigen::VectorXd& cos_views);
+Ordinates make_ordinates(int streams, int mode, double cos_sun, const Eigen::VectorXd& cos_views,
+                         bool polarised);
 
 }  // namespace skylut::plane_parallel

@@ -15,7 +15,32 @@ constexpr int kFewestStreams = 48;
 /// in case files are sums printed to 12 digits.
 constexpr double kSameDepth = 1e-10;
 
-LayerOptics layer_optics(const OpticalColumn& column, std::size_t layer, int streams) {
+/// Moments of the matrices of all scatterers, up to the number of streams.
+using AllMatrixMoments = std::vector<std::vector<MatrixMoments>>;
+
+void set_matrix(const AllMatrixMoments& matrices, double forward, LayerOptics& optics) {
+  const Eigen::Index streams = optics.moments.size();
+  optics.alpha2 = optics.alpha3 = optics.beta1 = Eigen::VectorXd::Zero(streams);
+  double albedo = 0.0;
+  for (double share : optics.scatterer_albedos) albedo += share;
+  for (Eigen::Index l = 2; l < streams; ++l) {
+    for (std::size_t s = 0; s < matrices.size(); ++s) {
+      const double share = optics.scatterer_albedos[s] / albedo;
+      if (share == 0.0) continue;
+      const MatrixMoments& moments = matrices[s][static_cast<std::size_t>(l)];
+      optics.alpha2[l] += share * moments.alpha2;
+      optics.alpha3[l] += share * moments.alpha3;
+      optics.beta1[l] += share * moments.beta1;
+    }
+    optics.alpha2[l] = (optics.alpha2[l] - forward) / (1.0 - forward);
+    optics.alpha3[l] = (optics.alpha3[l] - forward) / (1.0 - forward);
+    optics.beta1[l] /= 1.0 - forward;
+  }
+}
+
+/// @param matrices  empty: without polarisation
+LayerOptics layer_optics(const OpticalColumn& column, const AllMatrixMoments& matrices, std::size_t layer,
+                         int streams) {
   LayerOptics optics;
   optics.moments = Eigen::VectorXd::Zero(streams);
   double albedo = 0.0;
@@ -37,6 +62,7 @@ LayerOptics layer_optics(const OpticalColumn& column, std::size_t layer, int str
   optics.depth_factor = 1.0 - forward * albedo;
   optics.scattering_albedo = albedo == 1.0 ? 1.0 : albedo * (1.0 - forward) / optics.depth_factor;
   optics.moments = (optics.moments.array() - forward) / (1.0 - forward);
+  if (!matrices.empty()) set_matrix(matrices, forward, optics);
   return optics;
 }
 
@@ -62,8 +88,8 @@ int streams_for(const OpticalColumn& column, int most) {
   return std::min(needed + needed % 2, most);
 }
 
-ScaledMedium scale_medium(const OpticalColumn& column, const std::vector<double>& output_depths,
-                          int streams) {
+ScaledMedium scale_medium(const OpticalColumn& column, const std::vector<double>& output_depths, int streams,
+                          bool polarised) {
   double total = 0.0;
   for (double depth : column.extinction_depth) total += depth;
   const double same = kSameDepth * total;
@@ -72,6 +98,10 @@ ScaledMedium scale_medium(const OpticalColumn& column, const std::vector<double>
       throw InputError("output optical depth {}: must lie within the column, 0-{}", depth, total);
   std::vector<double> cuts = output_depths;
   std::sort(cuts.begin(), cuts.end());
+  AllMatrixMoments matrices;
+  if (polarised)
+    for (const Scatterer& scatterer : column.scatterers)
+      matrices.push_back(scatterer.phase->matrix_moments(streams - 1));
 
   ScaledMedium medium;
   medium.streams = streams;
@@ -87,7 +117,7 @@ ScaledMedium scale_medium(const OpticalColumn& column, const std::vector<double>
   double bottom = 0.0;
   for (std::size_t layer = column.extinction_depth.size(); layer-- > 0;) {
     if (column.extinction_depth[layer] == 0.0) continue;
-    const std::size_t optics = index_of(medium.optics, layer_optics(column, layer, streams));
+    const std::size_t optics = index_of(medium.optics, layer_optics(column, matrices, layer, streams));
     bottom += column.extinction_depth[layer];
     for (double cut : cuts)
       if (cut > medium.boundary_depth.back() + same && cut < bottom - same) add_slice(optics, cut);

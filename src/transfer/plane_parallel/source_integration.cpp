@@ -80,7 +80,9 @@ Eigen::MatrixXd radiance_at_views(const ScaledMedium& medium, const std::vector<
   if (ordinates.mode == 0) {
     const double irradiance = 2.0 * kPi * ordinates.flux_root.dot(fields.down[count]) +
                               light.cos_sun * std::exp(-medium.boundary_scaled[count] / light.cos_sun);
-    for (Eigen::Index view = 0; view < cos_views.size(); ++view) {
+    // Light from the ground and from the top is not polarised.
+    const Eigen::Index intensities = ordinates.legendre_view.cols();
+    for (Eigen::Index view = 0; view < intensities; ++view) {
       if (cos_views[view] < 0.0) radiance(0, view) = light.isotropic_top;
       if (cos_views[view] > 0.0) radiance(row(count), view) = light.ground_albedo / kPi * irradiance;
     }

@@ -10,7 +10,8 @@ namespace skylut::plane_parallel {
 /// solution I = I(boundary) e^{-Δτ/μ} + ∫ J e^{-t/μ} dt/μ with the J of the discrete ordinates: exact
 /// between the ordinates too (Stamnes 1982). Light scattered exactly once is left out (see
 /// single_scattering.hpp); light that comes from the ground or the top is in.
-/// @return  boundaries × views
+/// @param cos_views  polarised: three times, for I, Q and U
+/// @return  boundaries × views; polarised, U of the views down has its sign changed (layer_modes.hpp)
 Eigen::MatrixXd radiance_at_views(const ScaledMedium& medium, const std::vector<LayerModes>& modes,
                                   const Ordinates& ordinates, const Illumination& light,
                                   const BoundaryFields& fields, const Eigen::VectorXd& cos_views);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../geometry/scattering_rotation.hpp"
 #include "ray_sources.hpp"
 #include "skylut/core/context.hpp"
 #include "skylut/core/errors.hpp"
@@ -31,8 +32,8 @@ std::vector<std::span<const Block>> by_grid(std::span<const Block> blocks) {
 std::size_t Block::field_bytes(int lanes) const {
   const SweepView& view = grid->tables.view();
   return static_cast<std::size_t>(view.sublayers + 1) *
-         static_cast<std::size_t>(view.sun_nodes * view.moments) * static_cast<std::size_t>(lanes) *
-         sizeof(float);
+         static_cast<std::size_t>(view.sun_nodes * (view.moments + 2 * view.polarised.moments)) *
+         static_cast<std::size_t>(lanes) * sizeof(float);
 }
 
 BandSolution::BandSolution(const Work& work, const std::vector<ColumnGroup>& groups, const SunBand& band)
@@ -90,24 +91,34 @@ int most_azimuthal_orders(std::span<const Block> blocks) {
 }  // namespace
 
 void answer_line_of_sight(const CommonGrid& common, const LineOfSight& line, std::span<const Block> blocks,
-                          const KeepRadiance& keep) {
+                          bool stokes, const KeepRadiance& keep) {
   Ray ray(common.ray_space(), line.observer_km, line.view_zenith_deg, line.pairs,
           most_azimuthal_orders(blocks));
+  std::vector<float> rotation;
+  for (const SunAzimuth& pair : line.pairs) {
+    const ScatteringRotation of_pair =
+        scattering_rotation(line.view_zenith_deg, pair.relative_azimuth_deg,
+                            common.slant_depth.apparent_sun_deg(line.observer_km, pair.sun_zenith_deg));
+    rotation.push_back(static_cast<float>(of_pair.q));
+    rotation.push_back(static_cast<float>(of_pair.u));
+  }
   std::vector<float> radiance;
   for (const std::span<const Block> run : by_grid(blocks)) {
-    const RaySources sources(run.front().grid->discretisation, ray);
+    const RaySources sources(run.front().grid->discretisation, ray, stokes);
     for (const Block& block : run) {
       const BlockOptics& optics = *block.optics;
-      radiance.resize(line.pairs.size() * static_cast<std::size_t>(optics.lanes));
+      radiance.resize((stokes ? 3 : 1) * line.pairs.size() * static_cast<std::size_t>(optics.lanes));
+      const std::vector<float> f12 = stokes ? optics.polarising_phases(ray) : std::vector<float>{};
+      const PolarisedScattering polarised{f12.data(), rotation.data()};
       block.field->line_of_sight(ray.view(), sources.view(), optics.phases(ray).data(),
-                                 optics.peaks(ray).data(), radiance.data());
+                                 optics.peaks(ray).data(), stokes ? &polarised : nullptr, radiance.data());
       keep(block, radiance);
     }
   }
 }
 
 void answer_in_parts(const CommonGrid& common, std::span<const LineOfSight> lines,
-                     std::span<const Block> blocks, const KeepParts& keep) {
+                     std::span<const Block> blocks, bool stokes, const KeepParts& keep) {
   std::vector<std::unique_ptr<Ray>> traced;
   std::vector<RayView> rays;
   for (const LineOfSight& line : lines) {
@@ -120,15 +131,15 @@ void answer_in_parts(const CommonGrid& common, std::span<const LineOfSight> line
     std::vector<std::unique_ptr<RaySources>> sources;
     std::vector<RaySourcesView> views;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      sources.push_back(std::make_unique<RaySources>(run.front().grid->discretisation, *traced[i]));
+      sources.push_back(std::make_unique<RaySources>(run.front().grid->discretisation, *traced[i], stokes));
       views.push_back(sources.back()->view());
     }
     for (const Block& block : run) {
       const BlockOptics& optics = *block.optics;
       std::vector<float*> to;
       for (std::size_t i = 0; i < lines.size(); ++i) {
-        parts[i].resize((3 * static_cast<std::size_t>(optics.scatterers) + 1) * lines[i].pairs.size() *
-                        static_cast<std::size_t>(optics.lanes));
+        parts[i].resize((3 * static_cast<std::size_t>(optics.scatterers) + (stokes ? 3 : 1)) *
+                        lines[i].pairs.size() * static_cast<std::size_t>(optics.lanes));
         to.push_back(parts[i].data());
       }
       block.field->parts_of_sights(static_cast<int>(lines.size()), rays.data(), views.data(), to.data());

@@ -70,13 +70,15 @@ void solve_field(const Context& context, const Work& work, Block& block);
 using KeepRadiance = std::function<void(const Block& block, std::span<const float> radiance)>;
 using KeepParts = std::function<void(std::size_t line, const Block& block, std::span<const float> parts)>;
 
-/// Radiances along one line of sight from solved blocks. @param keep  gets them [pair][lane], block by block
+/// Radiances along one line of sight from solved blocks.
+/// @param stokes  whether Q and U are wanted, too
+/// @param keep    gets them [I, then Q and U][pair][lane], block by block
 void answer_line_of_sight(const CommonGrid& common, const LineOfSight& line, std::span<const Block> blocks,
-                          const KeepRadiance& keep);
+                          bool stokes, const KeepRadiance& keep);
 
 /// The radiances' parts along several lines of sight. @param keep  gets them as SolvedBlock::parts_of_sights
 /// gives them, block by block and line by line
 void answer_in_parts(const CommonGrid& common, std::span<const LineOfSight> lines,
-                     std::span<const Block> blocks, const KeepParts& keep);
+                     std::span<const Block> blocks, bool stokes, const KeepParts& keep);
 
 }  // namespace skylut::transfer

@@ -1,6 +1,7 @@
 #include "block_optics.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "skylut/core/check.hpp"
 #include "skylut/core/legendre.hpp"
@@ -8,6 +9,37 @@
 namespace skylut::transfer {
 
 namespace {
+
+/// Adds what scatters Q and U to lane `lane`: the matrix of the layer's mixture, without the part of the peak
+/// that delta-M takes for unscattered. [docs/polarisation.md P4]
+/// @param terms  polarised degrees + 1
+void scale_polarisation(const OpticalColumn& column, std::size_t legendre_terms, std::size_t terms,
+                        bool delta_m, std::size_t lane, std::size_t lanes, ScaledLayers& scaled) {
+  std::vector<std::vector<MatrixMoments>> matrix;
+  std::vector<double> peak;
+  for (const Scatterer& scatterer : column.scatterers) {
+    matrix.push_back(scatterer.phase->matrix_moments(static_cast<int>(terms) - 1));
+    peak.push_back(delta_m ? scatterer.phase->moment(static_cast<int>(legendre_terms)) : 0.0);
+  }
+  for (std::size_t layer = 0; layer < column.extinction_depth.size(); ++layer) {
+    double depth = column.extinction_depth[layer];
+    for (std::size_t s = 0; s < matrix.size(); ++s)
+      depth -= column.scatterers[s].scattering_depth[layer] * peak[s];
+    if (!(depth > 0.0)) continue;
+    for (std::size_t l = 2; l < terms; ++l) {
+      std::array<double, 3> mixed{};
+      for (std::size_t s = 0; s < matrix.size(); ++s) {
+        const double scattering = column.scatterers[s].scattering_depth[layer];
+        mixed[0] += scattering * matrix[s][l].beta1;
+        mixed[1] += scattering * (matrix[s][l].alpha2 - peak[s]);
+        mixed[2] += scattering * (matrix[s][l].alpha3 - peak[s]);
+      }
+      for (std::size_t i = 0; i < mixed.size(); ++i)
+        scaled.polarised_factor[((layer * terms + l) * mixed.size() + i) * lanes + lane] =
+            static_cast<float>((2.0 * static_cast<double>(l) + 1.0) * mixed[i] / depth);
+    }
+  }
+}
 
 /// Scales one column's layers into lane `lane`. [S2-S4]
 void scale_column(const Shells& shells, const OpticalColumn& column, std::size_t legendre_terms, bool delta_m,
@@ -38,9 +70,11 @@ void scale_column(const Shells& shells, const OpticalColumn& column, std::size_t
   }
 }
 
-ScaledLayers zero_layers(const Shells& shells, std::size_t legendre_terms, std::size_t lanes) {
+ScaledLayers zero_layers(const Shells& shells, std::size_t legendre_terms, std::size_t polarised_terms,
+                         std::size_t lanes) {
   const std::size_t layers = shells.levels_km.size() - 1;
-  return {std::vector<float>(layers * lanes), std::vector<float>(layers * legendre_terms * lanes)};
+  return {std::vector<float>(layers * lanes), std::vector<float>(layers * legendre_terms * lanes),
+          std::vector<float>(layers * polarised_terms * 3 * lanes)};
 }
 
 }  // namespace
@@ -58,8 +92,10 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
   const auto width = static_cast<std::size_t>(lanes);
   const std::size_t layer_count = shells.levels_km.size() - 1;
   const auto legendre_terms = static_cast<std::size_t>(grid.angles.resolution().max_l + 1);
-  layers = zero_layers(shells, legendre_terms, width);
-  sweep_layers = zero_layers(grid.common.merge.shells(), legendre_terms, width);
+  const auto polarised_terms =
+      grid.polarised ? static_cast<std::size_t>(grid.polarised->view().degrees) : std::size_t{0};
+  layers = zero_layers(shells, legendre_terms, polarised_terms, width);
+  sweep_layers = zero_layers(grid.common.merge.shells(), legendre_terms, polarised_terms, width);
   scattering_per_km.resize(static_cast<std::size_t>(scatterers) * layer_count * width);
   peak_per_km.resize(layer_count * width);
 
@@ -73,6 +109,10 @@ BlockOptics::BlockOptics(const Discretisation& grid, std::span<const OpticalColu
     scale_column(shells, one, legendre_terms, delta_m, lane, width, layers);
     scale_column(grid.common.merge.shells(), merged[lane], legendre_terms, delta_m, lane, width,
                  sweep_layers);
+    if (polarised_terms > 0) {
+      scale_polarisation(one, legendre_terms, polarised_terms, delta_m, lane, width, layers);
+      scale_polarisation(merged[lane], legendre_terms, polarised_terms, delta_m, lane, width, sweep_layers);
+    }
     for (std::size_t layer = 0; layer < layer_count; ++layer) {
       const double thickness_km = shells.levels_km[layer + 1] - shells.levels_km[layer];
       const double whole = one.extinction_depth[layer] / thickness_km;
@@ -96,6 +136,18 @@ std::vector<float> BlockOptics::phases(const Ray& ray) const {
   for (std::size_t pair = 0; pair < ray.cos_scattering().size(); ++pair)
     phase_values(ray.cos_scattering()[pair], phase.data() + pair * stride);
   return phase;
+}
+
+std::vector<float> BlockOptics::polarising_phases(const Ray& ray) const {
+  const auto width = static_cast<std::size_t>(lanes);
+  const auto count = static_cast<std::size_t>(scatterers);
+  std::vector<float> f12(count * width * ray.cos_scattering().size());
+  for (std::size_t pair = 0; pair < ray.cos_scattering().size(); ++pair)
+    for (std::size_t lane = 0; lane < width; ++lane)
+      for (std::size_t s = 0; s < column[lane]->scatterers.size(); ++s)
+        f12[(pair * count + s) * width + lane] =
+            static_cast<float>(column[lane]->scatterers[s].phase->matrix(ray.cos_scattering()[pair]).f12);
+  return f12;
 }
 
 std::vector<float> BlockOptics::peaks(const Ray& ray) const {

@@ -16,8 +16,10 @@ namespace skylut::transfer {
 struct ScaledLayers {
   std::vector<float> extinction_per_km;  ///< [layer][lane]
   std::vector<float> source_factor;      ///< [layer][degree l][lane]: ω (2l+1) χ_l
+  std::vector<float>
+      polarised_factor;  ///< [layer][degree l][beta1, alpha2, alpha3][lane]: ω (2l+1) times them
 
-  LayerView view() const { return {extinction_per_km.data(), source_factor.data()}; }
+  LayerView view() const { return {extinction_per_km.data(), source_factor.data(), polarised_factor.data()}; }
 };
 
 /// Optical properties of the columns of one block, laid out for the kernel.
@@ -52,6 +54,8 @@ struct BlockOptics {
 
   /// Exact phase functions at the scattering angles of a ray's pairs: [pair][scatterer][lane].
   std::vector<float> phases(const Ray& ray) const;
+  /// The same of F12, which polarises.
+  std::vector<float> polarising_phases(const Ray& ray) const;
   /// What spreads the phase functions' peaks, for the pairs close to the sun: [aureole][first,
   /// second][scatterer][lane].
   std::vector<float> peaks(const Ray& ray) const;

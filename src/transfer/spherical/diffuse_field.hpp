@@ -7,6 +7,7 @@
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
+#include "polarised_transform.hpp"
 #include "slant_depth.hpp"
 
 // Multiple scattering of one block of lanes: successive orders on short characteristics, with the moments
@@ -15,8 +16,9 @@
 
 namespace skylut::transfer {
 
-/// @tparam Sizes  of the angular transforms: AnySizes or FixedSizes
-template <class V, class Sizes>
+/// @tparam Sizes    of the angular transforms: AnySizes or FixedSizes
+/// @tparam kStokes  1: I alone, of light that is taken for unpolarised; 3: I, Q, U
+template <class V, class Sizes, int kStokes>
 class DiffuseField {
  public:
   DiffuseField(const SweepView& grid, const Sizes& sizes, const OpticsView& optics,
@@ -27,19 +29,25 @@ class DiffuseField {
         slant_depth_(slant_depth),
         hemisphere_{LaneArray<V>(count(grid.sublayers + 1, grid.moments)),
                     LaneArray<V>(count(grid.sublayers + 1, grid.moments))},
+        polarised_{LaneArray<V>(polarised_index(grid.sublayers + 1, 0)),
+                   LaneArray<V>(polarised_index(grid.sublayers + 1, 0))},
         beam_mean_factor_(count(grid.sublayers, 1)),
         beam_(count(grid.sublayers + 1, 1)),
-        radiance_(count(1, directions())),
-        upwind_(count(1, directions())),
-        local_source_(count(1, directions())),
-        chords_(count(grid.sublayers + 1, grid.chord_nodes * grid.azimuth_nodes)),
+        radiance_(kStokes * count(1, directions())),
+        upwind_(kStokes * count(1, directions())),
+        local_source_(kStokes * count(1, directions())),
+        chords_(kStokes * count(grid.sublayers + 1, grid.chord_nodes * grid.azimuth_nodes)),
         ground_irradiance_(count(1, 1)),
         step_weights_(static_cast<std::size_t>(grid.polar_nodes)),
         scaled_moments_(static_cast<std::size_t>(grid.moments)),
         by_azimuthal_order_(static_cast<std::size_t>(grid.polar_nodes * grid.azimuthal_orders)),
+        polarised_found_(static_cast<std::size_t>(2 * grid.polarised.moments)),
+        polarised_transform_(grid),
         horizon_(grid, optics) {
-    source_moments_[kDown] = hemisphere_[kDown].data();
-    source_moments_[kUp] = hemisphere_[kUp].data();
+    for (const Hemisphere hemisphere : {kDown, kUp}) {
+      source_moments_[hemisphere] = hemisphere_[hemisphere].data();
+      polarised_source_moments_[hemisphere] = polarised_[hemisphere].data();
+    }
   }
 
   /// Iterates until every lane and sun node has converged (Gauss-Seidel: every step uses the newest field),
@@ -48,7 +56,9 @@ class DiffuseField {
 
   /// Moments of the whole diffuse radiance, of both hemispheres together [level][node][moment], and diffuse
   /// irradiance of the ground [node], after solve; once each.
-  LaneArray<V> take_moments();
+  LaneArray<V> take_moments() { return both_hemispheres(hemisphere_); }
+  /// The same of Q and U, [level][node][Q, U][moment]; empty if kStokes is 1.
+  LaneArray<V> take_polarised_moments() { return both_hemispheres(polarised_); }
   LaneArray<V> take_ground_irradiance() { return static_cast<LaneArray<V>&&>(ground_irradiance_); }
   /// What the sweep found near the ground.
   const HorizonLight<V>& horizon_light() const { return horizon_; }
@@ -61,6 +71,26 @@ class DiffuseField {
   std::size_t moment_index(int level, int node) const {
     return static_cast<std::size_t>(level * grid_.sun_nodes + node) * static_cast<std::size_t>(grid_.moments);
   }
+  std::size_t polarised_index(int level, int node) const {
+    if constexpr (kStokes == 1) return 0;
+    return static_cast<std::size_t>(level * grid_.sun_nodes + node) *
+           static_cast<std::size_t>(2 * grid_.polarised.moments);
+  }
+  /// Of a Stokes parameter at the level that the sweep has reached. [direction]
+  V* at_node(LaneArray<V>& light, int stokes, int node) const {
+    return light.data() + (stokes * grid_.sun_nodes + node) * directions();
+  }
+  /// Of grazing directions at any level. [polar][azimuth]
+  V* chords(int stokes, int level, int node) {
+    return chords_.data() +
+           static_cast<std::size_t>((stokes * (grid_.sublayers + 1) + level) * grid_.sun_nodes + node) *
+               static_cast<std::size_t>(grid_.chord_nodes * sizes_.azimuth_nodes);
+  }
+  static LaneArray<V> both_hemispheres(LaneArray<V> (&moments)[2]) {
+    for (std::size_t i = 0; i < moments[kDown].size(); ++i)
+      moments[kDown].data()[i] += moments[kUp].data()[i];
+    return static_cast<LaneArray<V>&&>(moments[kDown]);
+  }
   V extinction(int layer) const {
     return load<V>(optics_.sweep_layers.extinction_per_km + layer * kLaneCount<V>);
   }
@@ -70,7 +100,7 @@ class DiffuseField {
   void sweep_down(LaneMask<V> active);
   void reflect_at_ground(LaneMask<V> active, bool by_order);
   void sweep_up(LaneMask<V> active);
-  void source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count, V* to);
+  void source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count);
   void analyse(Hemisphere hemisphere, int level, int node, LaneMask<V> active);
   void transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level);
 
@@ -78,23 +108,27 @@ class DiffuseField {
   const Sizes sizes_;
   const OpticsView& optics_;
   const SlantDepthToSun<V>& slant_depth_;
-  const V* source_moments_[2];     // that make the source: hemisphere_, or those of one order less
+  const V* source_moments_[2];  // that make the source: hemisphere_, or those of one order less
+  const V* polarised_source_moments_[2];
   LaneArray<V> hemisphere_[2];     // moments of each hemisphere [level][node][moment]
+  LaneArray<V> polarised_[2];      // of Q and U [level][node][Q, U][moment]
   LaneArray<V> beam_mean_factor_;  // see attenuate_beam [sublayer][node]
   LaneArray<V> beam_;              // transmission of the sunbeam [level][node]
-  LaneArray<V> radiance_;          // at the level the sweep has reached [node][direction]
+  LaneArray<V> radiance_;          // at the level the sweep has reached [Stokes][node][direction]
   LaneArray<V> upwind_;            // interpolated in polar angle, at the start of the step
   LaneArray<V> local_source_;      // source at the end of the step, then at its start
-  LaneArray<V> chords_;            // downward radiance of grazing directions [level][node][polar][azimuth]
+  LaneArray<V> chords_;  // downward radiance of grazing directions [Stokes][level][node][polar][azimuth]
   LaneArray<V> ground_irradiance_;
   LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
   LaneArray<V> scaled_moments_;
   LaneArray<V> by_azimuthal_order_;
+  LaneArray<V> polarised_found_;
+  PolarisedTransform<V> polarised_transform_;
   HorizonLight<V> horizon_;
 };
 
-template <class V, class Sizes>
-IterationReport DiffuseField<V, Sizes>::solve(const IterationLimits& limits) {
+template <class V, class Sizes, int kStokes>
+IterationReport DiffuseField<V, Sizes, kStokes>::solve(const IterationLimits& limits) {
   IterationReport report;
   const auto stops = [&] {
     const bool asked = limits.cancelled != nullptr && limits.cancelled(limits.token);
@@ -106,12 +140,16 @@ IterationReport DiffuseField<V, Sizes>::solve(const IterationLimits& limits) {
   if (limits.scattering_orders > 0) {
     LaneArray<V> previous[2] = {LaneArray<V>(hemisphere_[kDown].size()),
                                 LaneArray<V>(hemisphere_[kUp].size())};
+    LaneArray<V> previous_polarised[2] = {LaneArray<V>(polarised_[kDown].size()),
+                                          LaneArray<V>(polarised_[kUp].size())};
     // The last order is added by the line of sight.
     for (int order = 1; order < limits.scattering_orders; ++order) {
       if (stops()) return report;
       for (const Hemisphere hemisphere : {kDown, kUp}) {
         previous[hemisphere].copy(hemisphere_[hemisphere]);
         source_moments_[hemisphere] = previous[hemisphere].data();
+        previous_polarised[hemisphere].copy(polarised_[hemisphere]);
+        polarised_source_moments_[hemisphere] = previous_polarised[hemisphere].data();
       }
       sweep_down(active);
       reflect_at_ground(active, true);
@@ -138,8 +176,8 @@ IterationReport DiffuseField<V, Sizes>::solve(const IterationLimits& limits) {
   return report;
 }
 
-template <class V, class Sizes>
-V DiffuseField<V, Sizes>::beam_transmission(int point, int node) const {
+template <class V, class Sizes, int kStokes>
+V DiffuseField<V, Sizes, kStokes>::beam_transmission(int point, int node) const {
   const SlantDepthWeights& weights = grid_.beam_weights[point * grid_.sun_nodes + node];
   return weights.from_level == kShadow ? V{} : exp_minus(slant_depth_(weights));
 }
@@ -150,8 +188,8 @@ V DiffuseField<V, Sizes>::beam_transmission(int point, int node) const {
 ///   T₁)/6,
 /// while transport takes T as linear between the ends, of mean (T₀ + T₁)/2. Both are therefore multiplied by
 ///   c = 2T̄/(T₀ + T₁). Without it a low sun is 1 % off. [M4]
-template <class V, class Sizes>
-void DiffuseField<V, Sizes>::attenuate_beam() {
+template <class V, class Sizes, int kStokes>
+void DiffuseField<V, Sizes, kStokes>::attenuate_beam() {
   const int levels = grid_.sublayers + 1;
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* level = beam_.data() + node;
@@ -176,14 +214,15 @@ void DiffuseField<V, Sizes>::attenuate_beam() {
   }
 }
 
-/// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes.
-/// J = ω/4π ∫ P(Θ) (I + beam) dΩ' with P = Σ (2l+1) χ_l P_l(cosΘ), and by the addition theorem
+/// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes, into
+/// local_source_. J = ω/4π ∫ P(Θ) (I + beam) dΩ' with P = Σ (2l+1) χ_l P_l(cosΘ), and by the addition theorem
 ///   P_l(cosΘ) = Σ_m (2-δ_m0) Λ_lm(μ) Λ_lm(μ') cos m(φ-φ'),
 /// so that of I only its moments M_lm count, and of the beam, c T δ(Ω'-Ω_sun), c T Λ_lm(-μs)/4π:
 ///   J = Σ_m (2-δ_m0) cos mφ Σ_l ω (2l+1) χ_l Λ_lm(μ) [M_lm + c T Λ_lm(-μs)/4π]. [M3, M4]
-template <class V, class Sizes>
-void DiffuseField<V, Sizes>::source(Hemisphere hemisphere, int sublayer, int level, int node, int polar_count,
-                                    V* to) {
+/// Of polarised light Q adds its share, and Q and U have sources of their own. [P6]
+template <class V, class Sizes, int kStokes>
+void DiffuseField<V, Sizes, kStokes>::source(Hemisphere hemisphere, int sublayer, int level, int node,
+                                             int polar_count) {
   const int layer = grid_.layer_of_sublayer[sublayer];
   const V transmission = beam_.data()[level * grid_.sun_nodes + node] *
                          beam_mean_factor_.data()[sublayer * grid_.sun_nodes + node];
@@ -191,10 +230,18 @@ void DiffuseField<V, Sizes>::source(Hemisphere hemisphere, int sublayer, int lev
   const V* up = source_moments_[kUp] + moment_index(level, node);
   const float* beam_moment = grid_.beam_moment + node * grid_.moments;
   const float* factor = optics_.sweep_layers.source_factor + layer * sizes_.legendre_terms * kLaneCount<V>;
+  const auto intensity = [&](int i) { return down[i] + up[i] + transmission * beam_moment[i]; };
   V* scaled = scaled_moments_.data();
   for (int i = 0; i < grid_.moments; ++i)
-    scaled[i] = (down[i] + up[i] + transmission * beam_moment[i]) *
-                load<V>(factor + grid_.moment_degree[i] * kLaneCount<V>);
+    scaled[i] = intensity(i) * load<V>(factor + grid_.moment_degree[i] * kLaneCount<V>);
+  if constexpr (kStokes == 3) {
+    const std::size_t at = polarised_index(level, node);
+    polarised_transform_.scatter(
+        intensity, polarised_source_moments_[kDown] + at, polarised_source_moments_[kUp] + at,
+        optics_.sweep_layers.polarised_factor + layer * 3 * grid_.polarised.degrees * kLaneCount<V>, scaled);
+    polarised_transform_.synthesise(hemisphere, polar_count, at_node(local_source_, 1, node),
+                                    at_node(local_source_, 2, node));
+  }
 
   const int azimuthal_orders = sizes_.azimuthal_orders;
   V* by_order = by_azimuthal_order_.data();
@@ -203,14 +250,16 @@ void DiffuseField<V, Sizes>::source(Hemisphere hemisphere, int sublayer, int lev
     polar_of_degrees(sizes_, order, polar_count, grid_.polar_synthesis[hemisphere][m],
                      scaled + grid_.moment_offset[m], by_order + m, azimuthal_orders);
   });
+  V* to = at_node(local_source_, 0, node);
   for (int j = 0; j < polar_count; ++j)
     azimuths_of_orders(grid_, sizes_, by_order + j * azimuthal_orders, to + j * sizes_.azimuth_nodes);
 }
 
 /// Moments of one hemisphere's radiance at the level that the sweep has reached. Lanes that have
 /// converged keep theirs. [M1, T3]
-template <class V, class Sizes>
-void DiffuseField<V, Sizes>::analyse(Hemisphere hemisphere, int level, int node, LaneMask<V> active) {
+template <class V, class Sizes, int kStokes>
+void DiffuseField<V, Sizes, kStokes>::analyse(Hemisphere hemisphere, int level, int node,
+                                              LaneMask<V> active) {
   const int azimuthal_orders = sizes_.azimuthal_orders;
   const V* radiance = radiance_.data() + node * directions();
   V* by_order = by_azimuthal_order_.data();
@@ -225,6 +274,13 @@ void DiffuseField<V, Sizes>::analyse(Hemisphere hemisphere, int level, int node,
   });
   V* kept = hemisphere_[hemisphere].data() + moment_index(level, node);
   for (int i = 0; i < grid_.moments; ++i) kept[i] = select<V>(active, found[i], kept[i]);
+  if constexpr (kStokes == 3) {
+    V* polarised = polarised_found_.data();
+    polarised_transform_.analyse(hemisphere, at_node(radiance_, 1, node), at_node(radiance_, 2, node),
+                                 polarised);
+    V* to = polarised_[hemisphere].data() + polarised_index(level, node);
+    for (int i = 0; i < 2 * grid_.polarised.moments; ++i) to[i] = select<V>(active, polarised[i], to[i]);
+  }
 }
 
 /// Carries radiance_ across a sublayer. Along a ray dI/dt = J - I, so that over a step of optical depth t
@@ -232,8 +288,9 @@ void DiffuseField<V, Sizes>::analyse(Hemisphere hemisphere, int level, int node,
 /// for a J linear in optical depth (StepWeights). What stands at the start, e^-t I + upwind J, is
 /// interpolated there in polar angle, then in solar zenith angle, since the sun stands otherwise where the
 /// ray started. The azimuth is kept: over one step it turns by less than what the nodes resolve. [T1, T2]
-template <class V, class Sizes>
-void DiffuseField<V, Sizes>::transport(Hemisphere hemisphere, int sublayer, int start_level, int end_level) {
+template <class V, class Sizes, int kStokes>
+void DiffuseField<V, Sizes, kStokes>::transport(Hemisphere hemisphere, int sublayer, int start_level,
+                                                int end_level) {
   const int azimuths = sizes_.azimuth_nodes;
   const V beta = extinction(grid_.layer_of_sublayer[sublayer]);
   const PolarStep* steps = grid_.polar_step[hemisphere] + sublayer * sizes_.polar_nodes;
@@ -244,78 +301,87 @@ void DiffuseField<V, Sizes>::transport(Hemisphere hemisphere, int sublayer, int 
   }
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
-    V* start_source = local_source_.data() + node * directions();
-    source(hemisphere, sublayer, start_level, node, sizes_.polar_nodes, start_source);
-    const V* radiance = radiance_.data() + node * directions();
-    V* upwind = upwind_.data() + node * directions();
-    for (int j = chord_count; j < sizes_.polar_nodes; ++j) {
-      const StepWeights<V>& weights = step_weights_.data()[j];
-      const InterpolationWeights& nodes = steps[j].upwind;
-      V transmitted[4];
-      V emitted[4];
-      for (int t = 0; t < 4; ++t) {
-        transmitted[t] = weights.transmission * nodes.weight[t];
-        emitted[t] = weights.upwind * nodes.weight[t];
-      }
-      const V* from = radiance + nodes.first * azimuths;
-      const V* made = start_source + nodes.first * azimuths;
-      for (int k = 0; k < azimuths; ++k) {
-        V sum{};
-        for (int t = 0; t < 4; ++t)
-          sum += transmitted[t] * from[t * azimuths + k] + emitted[t] * made[t * azimuths + k];
-        upwind[j * azimuths + k] = sum;
+    source(hemisphere, sublayer, start_level, node, sizes_.polar_nodes);
+    for (int stokes = 0; stokes < kStokes; ++stokes) {
+      const V* start_source = at_node(local_source_, stokes, node);
+      const V* radiance = at_node(radiance_, stokes, node);
+      V* upwind = at_node(upwind_, stokes, node);
+      for (int j = chord_count; j < sizes_.polar_nodes; ++j) {
+        const StepWeights<V>& weights = step_weights_.data()[j];
+        const InterpolationWeights& nodes = steps[j].upwind;
+        V transmitted[4];
+        V emitted[4];
+        for (int t = 0; t < 4; ++t) {
+          transmitted[t] = weights.transmission * nodes.weight[t];
+          emitted[t] = weights.upwind * nodes.weight[t];
+        }
+        const V* from = radiance + nodes.first * azimuths;
+        const V* made = start_source + nodes.first * azimuths;
+        for (int k = 0; k < azimuths; ++k) {
+          V sum{};
+          for (int t = 0; t < 4; ++t)
+            sum += transmitted[t] * from[t * azimuths + k] + emitted[t] * made[t * azimuths + k];
+          upwind[j * azimuths + k] = sum;
+        }
       }
     }
     if (chord_count == 0) continue;
     // A chord entered downwards through the level where it leaves.
-    source(kDown, sublayer, end_level, node, chord_count, start_source);
-    const V* entered = chords_.data() + static_cast<std::size_t>(end_level * grid_.sun_nodes + node) *
-                                            static_cast<std::size_t>(grid_.chord_nodes * azimuths);
-    for (int j = 0; j < chord_count; ++j)
-      for (int d = j * azimuths; d < (j + 1) * azimuths; ++d)
-        upwind[d] = step_weights_.data()[j].transmission * entered[d] +
-                    step_weights_.data()[j].upwind * start_source[d];
+    source(kDown, sublayer, end_level, node, chord_count);
+    for (int stokes = 0; stokes < kStokes; ++stokes) {
+      const V* start_source = at_node(local_source_, stokes, node);
+      const V* entered = chords(stokes, end_level, node);
+      V* upwind = at_node(upwind_, stokes, node);
+      for (int j = 0; j < chord_count; ++j)
+        for (int d = j * azimuths; d < (j + 1) * azimuths; ++d)
+          upwind[d] = step_weights_.data()[j].transmission * entered[d] +
+                      step_weights_.data()[j].upwind * start_source[d];
+    }
   }
 
   for (int node = 0; node < grid_.sun_nodes; ++node) {
-    V* end_source = local_source_.data() + node * directions();
-    source(hemisphere, sublayer, end_level, node, sizes_.polar_nodes, end_source);
-    V* radiance = radiance_.data() + node * directions();
+    source(hemisphere, sublayer, end_level, node, sizes_.polar_nodes);
     const InterpolationWeights* suns =
         grid_.sun_weights[hemisphere] +
         static_cast<std::size_t>(sublayer * grid_.sun_nodes + node) * static_cast<std::size_t>(directions());
-    for (int j = 0; j < sizes_.polar_nodes; ++j) {
-      const V local = step_weights_.data()[j].local;
-      for (int d = j * azimuths; d < (j + 1) * azimuths; ++d) {
-        const V* from = upwind_.data() + suns[d].first * directions() + d;
-        V sum = local * end_source[d];
-        for (int t = 0; t < 4; ++t) sum += from[t * directions()] * suns[d].weight[t];
-        radiance[d] = sum;
+    for (int stokes = 0; stokes < kStokes; ++stokes) {
+      const V* end_source = at_node(local_source_, stokes, node);
+      const V* upwind = at_node(upwind_, stokes, 0);
+      V* radiance = at_node(radiance_, stokes, node);
+      for (int j = 0; j < sizes_.polar_nodes; ++j) {
+        const V local = step_weights_.data()[j].local;
+        for (int d = j * azimuths; d < (j + 1) * azimuths; ++d) {
+          const V* from = upwind + suns[d].first * directions() + d;
+          V sum = local * end_source[d];
+          for (int t = 0; t < 4; ++t) sum += from[t * directions()] * suns[d].weight[t];
+          radiance[d] = sum;
+        }
       }
     }
   }
 }
 
-template <class V, class Sizes>
-void DiffuseField<V, Sizes>::sweep_down(LaneMask<V> active) {
+template <class V, class Sizes, int kStokes>
+void DiffuseField<V, Sizes, kStokes>::sweep_down(LaneMask<V> active) {
   radiance_.fill(V{});  // nothing but the beam enters at the top
   const int chord_directions = grid_.chord_nodes * sizes_.azimuth_nodes;
   for (int level = grid_.sublayers - 1; level >= -1; --level) {
-    for (int node = 0; node < grid_.sun_nodes; ++node) {
-      V* kept = chords_.data() + static_cast<std::size_t>((level + 1) * grid_.sun_nodes + node) *
-                                     static_cast<std::size_t>(chord_directions);
-      for (int d = 0; d < chord_directions; ++d) kept[d] = radiance_.data()[node * directions() + d];
-    }
+    for (int stokes = 0; stokes < kStokes; ++stokes)
+      for (int node = 0; node < grid_.sun_nodes; ++node) {
+        V* kept = chords(stokes, level + 1, node);
+        const V* radiance = at_node(radiance_, stokes, node);
+        for (int d = 0; d < chord_directions; ++d) kept[d] = radiance[d];
+      }
     if (level < 0) break;
     transport(kDown, level, level + 1, level);
     for (int node = 0; node < grid_.sun_nodes; ++node) analyse(kDown, level, node, active);
   }
 }
 
-/// Lambertian ground: I = A/π (diffuse irradiance + μs T). Order by order the irradiance is that of one order
-/// less. [T4, I4]
-template <class V, class Sizes>
-void DiffuseField<V, Sizes>::reflect_at_ground(LaneMask<V> active, bool by_order) {
+/// Lambertian ground, which leaves nothing polarised: I = A/π (diffuse irradiance + μs T). Order by order the
+/// irradiance is that of one order less. [T4, I4]
+template <class V, class Sizes, int kStokes>
+void DiffuseField<V, Sizes, kStokes>::reflect_at_ground(LaneMask<V> active, bool by_order) {
   const V albedo = load<V>(optics_.ground_albedo);
   for (int node = 0; node < grid_.sun_nodes; ++node) {
     V* radiance = radiance_.data() + node * directions();
@@ -328,23 +394,18 @@ void DiffuseField<V, Sizes>::reflect_at_ground(LaneMask<V> active, bool by_order
     const V direct = cosine > 0.0f ? beam_.data()[node] * cosine : V{};
     const V reflected = albedo * ((by_order ? before : kept) + direct) * kInversePi;
     for (int d = 0; d < directions(); ++d) radiance[d] = reflected;
+    for (int stokes = 1; stokes < kStokes; ++stokes)
+      for (int d = 0; d < directions(); ++d) at_node(radiance_, stokes, node)[d] = V{};
     analyse(kUp, 0, node, active);
   }
 }
 
-template <class V, class Sizes>
-void DiffuseField<V, Sizes>::sweep_up(LaneMask<V> active) {
+template <class V, class Sizes, int kStokes>
+void DiffuseField<V, Sizes, kStokes>::sweep_up(LaneMask<V> active) {
   for (int sublayer = 0; sublayer < grid_.sublayers; ++sublayer) {
     transport(kUp, sublayer, sublayer, sublayer + 1);
     for (int node = 0; node < grid_.sun_nodes; ++node) analyse(kUp, sublayer + 1, node, active);
   }
-}
-
-template <class V, class Sizes>
-LaneArray<V> DiffuseField<V, Sizes>::take_moments() {
-  const std::size_t size = count(grid_.sublayers + 1, grid_.moments);
-  for (std::size_t i = 0; i < size; ++i) hemisphere_[kDown].data()[i] += hemisphere_[kUp].data()[i];
-  return static_cast<LaneArray<V>&&>(hemisphere_[kDown]);
 }
 
 }  // namespace skylut::transfer

@@ -15,21 +15,42 @@ namespace {
 /// tens of metres. Further sublayers double it until they meet the layer's own splitting.
 constexpr double kLowestSublayer_km = 0.02;
 
+/// Over the earth, thickness above which a sublayer of a medium that fills the column evenly bends the
+/// light's path too much: a ray that grazes it is 280 km long, under suns that differ by 2.5°. On other
+/// planets in proportion to the radius, which leaves the angles the same.
+constexpr double kThickestSublayer_km = 1.5;
+constexpr double kEarthRadius_km = 6371.0;
+/// Share of the column's scattering below which a layer is not split for its thickness: layers of air are not
+/// even, and thick only where little is left of it (2 km at 20 km hold 1.5 %, all above 30 km 1.2 %).
+constexpr double kEvenShare = 0.019;
+
+/// A medium that ends abruptly at the top of the atmosphere, as air does not: a low sun's depth begins like
+/// the square root of the way down. Where it is more than this in the uppermost sublayer, that is graded.
+constexpr double kMostDepthAlongTop = 0.25;
+constexpr double kUppermostSublayer_km = 0.1;
+
 double layer_thickness(const Shells& shells, std::size_t layer) {
   return shells.levels_km[layer + 1] - shells.levels_km[layer];
 }
 
-std::vector<double> split_levels(const Shells& shells, const std::vector<int>& parts) {
+/// Adds a level at every doubling of a height above the level, as far as a step leaves room.
+void add_graded(std::vector<double>& levels, double from_km, double first_km, double step_km, double side) {
+  for (double height = first_km; height < 0.75 * step_km; height *= 2.0)
+    levels.push_back(from_km + side * height);
+}
+
+std::vector<double> split_levels(const Shells& shells, const std::vector<int>& parts, bool grades_top) {
   std::vector<double> levels{shells.levels_km.front()};
   for (std::size_t layer = 0; layer < parts.size(); ++layer) {
     const double bottom = shells.levels_km[layer];
     const double step = layer_thickness(shells, layer) / parts[layer];
-    if (layer == 0)
-      for (double height = kLowestSublayer_km; height < 0.75 * step; height *= 2.0)
-        levels.push_back(bottom + height);
+    if (layer == 0) add_graded(levels, bottom, kLowestSublayer_km, step, 1.0);
+    if (grades_top && layer + 1 == parts.size())
+      add_graded(levels, shells.levels_km.back(), kUppermostSublayer_km, step, -1.0);
     for (int part = 1; part <= parts[layer]; ++part)
       levels.push_back(part == parts[layer] ? shells.levels_km[layer + 1] : bottom + part * step);
   }
+  std::sort(levels.begin(), levels.end());
   return levels;
 }
 
@@ -51,6 +72,18 @@ std::vector<double> joined_levels(const ShellGeometry& layers, const ShellGeomet
 
 /// Parts of a layer beyond which nobody counts: no machine holds as many, and the work is refused.
 constexpr double kMostParts = 1e8;
+
+/// Parts of every layer that keep a ray's curvature small. @see kThickestSublayer_km
+std::vector<int> parts_by_thickness(const Shells& shells, const std::vector<double>& scattering) {
+  const double total = std::accumulate(scattering.begin(), scattering.end(), 0.0);
+  const double thickest_km = kThickestSublayer_km * shells.planet_radius_km / kEarthRadius_km;
+  std::vector<int> parts;
+  for (std::size_t layer = 0; layer < scattering.size(); ++layer)
+    parts.push_back(scattering[layer] > kEvenShare * total
+                        ? static_cast<int>(std::ceil(layer_thickness(shells, layer) / thickest_km))
+                        : 1);
+  return parts;
+}
 
 std::vector<int> parts_for(const std::vector<double>& depth, double optical_step) {
   std::vector<int> parts;
@@ -145,6 +178,7 @@ DiscretisationKey discretisation_for(const LayerMerge& merge, const Discretisati
                                      const OpticalColumn& column) {
   DiscretisationKey key;
   key.angles = angles_for(column, options);
+  key.polarised_degree = std::min(options.polarised_degree, key.angles.max_l);
   key.cuts_peak = cut_off(column, key.angles.max_l).peak > kLeastHorizonPeak;
   const OpticalColumn merged = merge.column(column);
   // Absorption bends the source less than scattering does, and what is absorbed is dark.
@@ -158,8 +192,19 @@ DiscretisationKey discretisation_for(const LayerMerge& merge, const Discretisati
       scaled_depth[layer] += weight * scatterer.scattering_depth[layer];
   }
   const double optical_step = options.optical_step;
-  const std::vector<int> own = parts_for(scaled_depth, optical_step);
+  std::vector<int> own = parts_for(scaled_depth, optical_step);
+  std::vector<double> scattering(own.size(), 0.0);
+  for (const Scatterer& scatterer : merged.scatterers)
+    for (std::size_t layer = 0; layer < own.size(); ++layer)
+      scattering[layer] += scatterer.scattering_depth[layer];
+  const std::vector<int> by_thickness = parts_by_thickness(merge.shells(), scattering);
+  for (std::size_t layer = 0; layer < own.size(); ++layer)
+    own[layer] = std::max(own[layer], by_thickness[layer]);
   key.sublayers = common_parts(merge.shells(), scaled_depth, own, optical_step);
+  const double uppermost_km = layer_thickness(merge.shells(), own.size() - 1) / key.sublayers.back();
+  const double along_km =
+      std::sqrt(2.0 * std::min(merge.shells().planet_radius_km, kEarthRadius_km) * uppermost_km);
+  key.grades_top = scattering.back() / key.sublayers.back() / uppermost_km * along_km > kMostDepthAlongTop;
   return key;
 }
 
@@ -186,14 +231,17 @@ BeamGeometry::BeamGeometry(const CommonGrid& common, const ShellGeometry& sublay
 
 Discretisation::Discretisation(const CommonGrid& common_, const DiscretisationKey& key)
     : common(common_),
-      sublayers(split_levels(common.merge.shells(), key.sublayers), common.shells.planet_radius_km),
+      sublayers(split_levels(common.merge.shells(), key.sublayers, key.grades_top),
+                common.shells.planet_radius_km),
       ray_levels(joined_levels(common.layers, sublayers), common.shells.planet_radius_km),
       layer_of_sublayer(layers_of(common.merge.shells(), sublayers)),
       angles(key.angles),
       cuts_peak(key.cuts_peak),
       horizon(angles, sublayers, layer_of_sublayer),
       stencil(sublayers, angles, common.sun_nodes_deg),
-      beam(common, sublayers) {}
+      beam(common, sublayers) {
+  if (key.polarised_degree > 0) polarised.emplace(angles, key.polarised_degree);
+}
 
 bool Discretisation::needs_source_at(double altitude_km) const {
   const auto holds = [&](const ShellGeometry& shells) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "../geometry/interpolation.hpp"
@@ -7,6 +8,7 @@
 #include "angular_grid.hpp"
 #include "common_grid.hpp"
 #include "horizon_peak.hpp"
+#include "polarised_angles.hpp"
 #include "sweep_stencil.hpp"
 
 namespace skylut::transfer {
@@ -16,14 +18,17 @@ namespace skylut::transfer {
 /// geometry and may share a block of lanes.
 struct DiscretisationKey {
   std::vector<int> sublayers;  ///< number of equal parts per merged layer
+  bool grades_top = false;     ///< thinner sublayers at the top, where the medium ends abruptly
   AngularResolution angles;
-  bool cuts_peak = false;  ///< delta-M takes a forward peak that matters at the horizon
+  bool cuts_peak = false;    ///< delta-M takes a forward peak that matters at the horizon
+  int polarised_degree = 0;  ///< highest degree of Q and U; 0: light is taken for unpolarised
 
   bool operator==(const DiscretisationKey&) const = default;
 };
 
 /// Chooses the discretisation of a column: layers split until each part's scaled optical depth is below
-/// the quality's step, angles fine enough for its phase functions. [docs/validation.md, "Convergence"]
+/// the quality's step, and thick layers of an even medium by their thickness; angles fine enough for its
+/// phase functions. [docs/validation.md, "Convergence"]
 /// @param merge  the layers of the sweep
 DiscretisationKey discretisation_for(const LayerMerge& merge, const DiscretisationOptions& options,
                                      const OpticalColumn& column);
@@ -63,6 +68,7 @@ struct Discretisation {
   ShellGeometry ray_levels;            ///< boundaries of the medium's layers and of the sublayers
   std::vector<int> layer_of_sublayer;  ///< merged layer
   AngularGrid angles;
+  std::optional<PolarisedAngles> polarised;
   bool cuts_peak;
   HorizonNodes horizon;
   SweepStencil stencil;

@@ -32,6 +32,23 @@ struct HorizonView {
   const int* layer_of_level;  ///< [level that is kept]: merged layer above it (of the top level, below)
 };
 
+/// See PolarisedAngles.
+struct PolarisedView {
+  int moments;                     ///< of Q and of U, each; 0: light is taken for unpolarised
+  int orders;                      ///< azimuthal
+  int degrees;                     ///< highest + 1
+  const int* moment_offset;        ///< [m], of its least degree
+  const int* moment_degree;        ///< [moment]
+  const int* moment_of_intensity;  ///< [moment]: of the same l and m
+  /// [hemisphere][Q + U, Q - U] → [m], panels
+  const float* const* polar_synthesis[2][2];
+  const float* const* polar_analysis[2][2];
+  const float* cosine_synthesis[2];  ///< [parity of m], panels
+  const float* cosine_analysis[2];
+  const float* sine_synthesis[2];
+  const float* sine_analysis[2];
+};
+
 struct SweepView {
   SlantDepthView slant_depth;
   int sublayers;  ///< of the sweep; levels = sublayers + 1
@@ -60,12 +77,14 @@ struct SweepView {
   const int* piece_layer;
   const float* piece_thickness_km;
   HorizonView horizon;  ///< nodes 0: no column cuts off a peak
+  PolarisedView polarised;
 };
 
 /// See ScaledLayers.
 struct LayerView {
   const float* extinction_per_km;
   const float* source_factor;
+  const float* polarised_factor;  ///< null: unpolarised light
 };
 
 /// See BlockOptics.
@@ -126,6 +145,14 @@ struct RaySourcesView {
   const HorizonWeights* horizon;                   ///< [source]
   const InterpolationWeights* const* sun_weights;  ///< [source] → [pair], among the sun nodes
   const float* const* azimuth_factor;  ///< [source] → [pair][m], azimuth_stride apart: (2-δ_m0) cos mφ
+  const float* const* azimuth_sine;    ///< the same with sin mφ; null: Q and U are not asked for
+  const float* rotation[2];  ///< [source][polarised moment]: R and T of the light there, for Q and U
+};
+
+/// What Q and U of singly scattered light follow from, for all pairs of a line of sight.
+struct PolarisedScattering {
+  const float* f12;       ///< [pair][scatterer][lane]
+  const float* rotation;  ///< [pair][2]: what makes Q and U of it
 };
 
 /// The diffuse field of one block, solved, which answers lines of sight. Calls may run in parallel.
@@ -134,14 +161,17 @@ class SolvedBlock {
   virtual ~SolvedBlock() = default;
   /// @param phase     exact phase functions at the pairs' scattering angles, [pair][scatterer][lane]
   /// @param peaks     ForwardPeakCorrection's coefficients, [aureole][first, second][scatterer][lane]
-  /// @param radiance  sr⁻¹, [pair][lane]
+  /// @param polarised  null: I alone is asked for
+  /// @param radiance   sr⁻¹, [I, then Q and U if asked for][pair][lane]
   virtual void line_of_sight(const RayView& ray, const RaySourcesView& diffuse, const float* phase,
-                             const float* peaks, float* radiance) const = 0;
+                             const float* peaks, const PolarisedScattering* polarised,
+                             float* radiance) const = 0;
 
   /// The radiance in parts that know no phase function: Σ_i P_i A_i - Q1_i B_i + Q2_i C_i + D with the
   /// scatterers' amplitudes A, B, C (see single_scattering_amplitudes) and the diffuse light D, which may
   /// undershoot 0 where line_of_sight clamps. Several lines at a time.
-  /// @param parts  sr⁻¹, [line] → [A of each scatterer, B of each, C of each, D][pair][lane]
+  /// @param parts  sr⁻¹, [line] → [A of each scatterer, B of each, C of each, D, then the diffuse Q and U if
+  ///               the sources ask for them][pair][lane]
   virtual void parts_of_sights(int lines, const RayView* rays, const RaySourcesView* diffuse,
                                float* const* parts) const = 0;
 };

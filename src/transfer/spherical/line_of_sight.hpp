@@ -4,6 +4,7 @@
 #include "kernel_problem.hpp"
 #include "lane_array.hpp"
 #include "lanes.hpp"
+#include "polarised_sight.hpp"
 #include "slant_depth.hpp"
 
 // What a line of sight collects, for all suns and azimuths that share it: the sun's single scattering, the
@@ -17,12 +18,17 @@ template <class V>
 struct Solution {
   const SweepView& grid;
   LaneArray<V> moment;             // [level][node][moment]
+  LaneArray<V> polarised_moment;   // [level][node][Q, U][moment]; empty where light is unpolarised
   LaneArray<V> ground_irradiance;  // diffuse [node]
   HorizonDeficit<V> horizon;
 
   const V* moments(int level, int node) const {
     return moment.data() +
            static_cast<std::size_t>(level * grid.sun_nodes + node) * static_cast<std::size_t>(grid.moments);
+  }
+  const V* polarised_moments(int level, int node) const {
+    return polarised_moment.data() + static_cast<std::size_t>(level * grid.sun_nodes + node) *
+                                         static_cast<std::size_t>(2 * grid.polarised.moments);
   }
 };
 
@@ -60,7 +66,17 @@ struct RayScratch {
         source_azimuthal_orders(static_cast<std::size_t>(grid.sun_nodes * grid.azimuthal_orders)),
         upper_orders(static_cast<std::size_t>(4 * grid.azimuthal_orders)),
         node_use(static_cast<std::size_t>(grid.sun_nodes)),
-        radiance(static_cast<std::size_t>(ray.pairs)) {}
+        polarised_weight(static_cast<std::size_t>(3 * diffuse.sources * grid.polarised.degrees)),
+        polarised_source(grid),
+        polarised_orders(stokes_of(diffuse) == 1
+                             ? 0
+                             : static_cast<std::size_t>(2 * grid.sun_nodes * grid.polarised.orders)),
+        upper_polarised_orders(static_cast<std::size_t>(2 * grid.polarised.orders)),
+        radiance(static_cast<std::size_t>(stokes_of(diffuse) * ray.pairs)) {}
+
+  /// Stokes parameters that are asked for.
+  static int stokes_of(const RaySourcesView& diffuse) { return diffuse.azimuth_sine == nullptr ? 1 : 3; }
+
   LaneArray<V> far_depth;                // observer to point to sun, at the end of the last lit part [pair]
   LaneArray<V> degree_weight;            // see weigh_sources [source][degree]
   LaneArray<V> peak_weight;              // the same of the forward peak that is cut off [source]
@@ -68,7 +84,11 @@ struct RayScratch {
   LaneArray<V> source_azimuthal_orders;  // [sun node][m]
   LaneArray<V> upper_orders;             // the same at the upper level, of a few nodes
   LaneArray<NodeUse<V>> node_use;        // at one source [sun node]
-  LaneArray<V> radiance;                 // [pair]
+  LaneArray<V> polarised_weight;         // as degree_weight [source][degree][beta1, alpha2, alpha3]
+  PolarisedSource<V> polarised_source;
+  LaneArray<V> polarised_orders;        // [Q, U][sun node][m]
+  LaneArray<V> upper_polarised_orders;  // of one node
+  LaneArray<V> radiance;                // [Stokes][pair]
 };
 
 /// That of several lines.
@@ -150,6 +170,7 @@ inline V spread_scattering(const float* scattering_per_km, std::ptrdiff_t stride
 /// Single scattering of the sun for all pairs: every point scatters β_sca P(Θ)/4π of the beam towards the
 /// observer, Θ being the same all along a straight ray:
 ///   I₁ = (1/4π) Σ_i P_i(Θ) ∫ β_sca,i e^-a ds,  a = τ(observer to point) + τ(point to sun). [L1, L5]
+/// @param peaks  null: the forward peaks are left as they are
 template <class V>
 inline void single_scattering(const SweepView& grid, const OpticsView& optics, const RayView& ray,
                               const float* phases, const float* peaks, const SlantDepthToSun<V>& slant_depth,
@@ -163,7 +184,7 @@ inline void single_scattering(const SweepView& grid, const OpticsView& optics, c
                     for (int s = 0; s < optics.scatterers; ++s)
                       scattering +=
                           load<V>(scattering_per_km + s * stride) * load<V>(phase + s * kLaneCount<V>);
-                    if (ray.aureole[lit.pair] >= 0)
+                    if (peaks != nullptr && ray.aureole[lit.pair] >= 0)
                       scattering += spread_scattering(
                           scattering_per_km, stride,
                           peaks + ray.aureole[lit.pair] * 2 * optics.scatterers * kLaneCount<V>,
@@ -226,6 +247,13 @@ inline void weigh_sources(const SweepView& grid, const OpticsView& optics, const
       at_near[l] += near * load<V>(factor + l * kLaneCount<V>);
       at_far[l] += far * load<V>(factor + l * kLaneCount<V>);
     }
+    const int elements = 3 * grid.polarised.degrees;
+    V* const polarised = scratch.polarised_weight.data() + piece.source * elements;
+    for (int e = 0; e < elements; ++e) {
+      const V matrix = load<V>(optics.layers.polarised_factor + (piece.layer * elements + e) * kLaneCount<V>);
+      polarised[e] += near * matrix;
+      polarised[elements + e] += far * matrix;
+    }
     if (diffuse.horizon[piece.source].near || diffuse.horizon[piece.source + 1].near) {
       const V peak = load<V>(optics.peak_per_km + piece.layer * kLaneCount<V>) * piece.length_km;
       const V share = peak / lane_max(step + peak, broadcast<V>(1e-30f));
@@ -260,6 +288,14 @@ inline void source_azimuthal_orders(const SweepView& grid, const RaySourcesView&
   const V* degree = scratch.degree_weight.data() + at * grid.legendre_terms;
   V* const direction = scratch.direction_weight.data();
   for (int i = 0; i < grid.moments; ++i) direction[i] = degree[grid.moment_degree[i]] * polar[i];
+  PolarisedSource<V>& polarised = scratch.polarised_source;
+  if (polarised.wanted()) {
+    const int first = at * grid.polarised.moments;
+    const bool all = RayScratch<V>::stokes_of(diffuse) == 3;
+    polarised.weigh(polar, all ? diffuse.rotation[0] + first : nullptr,
+                    all ? diffuse.rotation[1] + first : nullptr,
+                    scratch.polarised_weight.data() + at * 3 * grid.polarised.degrees);
+  }
 
   const bool between = source.fraction > 0.0f && source.fraction < 1.0f;
   const int level = source.fraction < 1.0f ? source.sublayer : source.sublayer + 1;
@@ -273,10 +309,17 @@ inline void source_azimuthal_orders(const SweepView& grid, const RaySourcesView&
     V* orders = scratch.source_azimuthal_orders.data() + node * grid.azimuthal_orders;
     const auto find = [&](int at_level, V* to) {
       const V* moments = field.moments(at_level, node);
-      if (count == 4) return orders_under_nodes<V, 4>(grid, direction, moments, to);
-      if (count == 3) return orders_under_nodes<V, 3>(grid, direction, moments, to);
-      if (count == 2) return orders_under_nodes<V, 2>(grid, direction, moments, to);
-      orders_under_nodes<V, 1>(grid, direction, moments, to);
+      if (count == 4)
+        orders_under_nodes<V, 4>(grid, direction, moments, to);
+      else if (count == 3)
+        orders_under_nodes<V, 3>(grid, direction, moments, to);
+      else if (count == 2)
+        orders_under_nodes<V, 2>(grid, direction, moments, to);
+      else
+        orders_under_nodes<V, 1>(grid, direction, moments, to);
+      for (int i = 0; polarised.wanted() && i < count; ++i)
+        polarised.add_to_intensity(field.polarised_moments(at_level, node + i),
+                                   to + i * grid.azimuthal_orders);
     };
     find(level, orders);
     if (between) {
@@ -287,6 +330,21 @@ inline void source_azimuthal_orders(const SweepView& grid, const RaySourcesView&
     for (int i = 0; grazes && i < count; ++i)
       field.horizon.add(diffuse.horizon[at], node + i, scratch.peak_weight.data()[at],
                         orders + i * grid.azimuthal_orders);
+    if (RayScratch<V>::stokes_of(diffuse) == 1) continue;
+    for (int i = node; i < node + count; ++i) {
+      const int size = grid.polarised.orders;
+      V* const q = scratch.polarised_orders.data() + i * size;
+      V* const u = q + grid.sun_nodes * size;
+      polarised.find(field.moments(level, i), field.polarised_moments(level, i), q, u);
+      if (!between) continue;
+      V* const upper_q = scratch.upper_polarised_orders.data();
+      V* const upper_u = upper_q + size;
+      polarised.find(field.moments(level + 1, i), field.polarised_moments(level + 1, i), upper_q, upper_u);
+      for (int m = 0; m < size; ++m) {
+        q[m] += (upper_q[m] - q[m]) * source.fraction;
+        u[m] += (upper_u[m] - u[m]) * source.fraction;
+      }
+    }
   }
 }
 
@@ -308,6 +366,9 @@ inline void add_source_light(const SweepView& grid, const RayView& ray, const Ra
       for (int t = 0; t < 4; ++t) at_node[t] += order[t * stride + m] * azimuth[m];
     for (int t = 0; t < 4; ++t) out[pair] += at_node[t] * suns[pair].weight[t];
   }
+  if (RayScratch<V>::stokes_of(diffuse) == 3)
+    add_polarised_light(grid, ray.pairs, suns, diffuse.azimuth_factor[at], diffuse.azimuth_sine[at],
+                        diffuse.azimuth_stride, scratch.polarised_orders.data(), out + ray.pairs);
 }
 
 /// Adds the diffuse field's light to every pair's radiance. [L3]

@@ -8,7 +8,8 @@
 
 namespace skylut::transfer {
 
-RaySources::RaySources(const Discretisation& grid, Ray& ray) : azimuth_stride_(ray.azimuthal_orders()) {
+RaySources::RaySources(const Discretisation& grid, Ray& ray, bool stokes)
+    : azimuth_stride_(ray.azimuthal_orders()) {
   const RayTrace trace = grid.common.ray_space().trace(grid.ray_levels, ray.observer_km(), ray.cos_view());
   add_pieces(grid, trace.points);
   for (const RayPoint& point : source_at_) {
@@ -19,6 +20,9 @@ RaySources::RaySources(const Discretisation& grid, Ray& ray) : azimuth_stride_(r
     const LocalSun::Point& local = ray.suns_at(point);
     sun_weights_.push_back(local.sun_weights.data());
     azimuth_factor_.push_back(local.azimuth_factor.data());
+    if (!stokes) continue;
+    azimuth_sine_.push_back(local.azimuth_sine.data());
+    grid.polarised->rotation_functions(-point.cos_view, rotation_r_, rotation_t_);
   }
 }
 
@@ -60,7 +64,9 @@ RaySourcesView RaySources::view() const {
           .polar_moment = polar_moment_.data(),
           .horizon = horizon_.data(),
           .sun_weights = sun_weights_.data(),
-          .azimuth_factor = azimuth_factor_.data()};
+          .azimuth_factor = azimuth_factor_.data(),
+          .azimuth_sine = azimuth_sine_.empty() ? nullptr : azimuth_sine_.data(),
+          .rotation = {rotation_r_.data(), rotation_t_.data()}};
 }
 
 }  // namespace skylut::transfer

@@ -13,8 +13,9 @@ namespace skylut::transfer {
 /// between them the pieces within one layer of the medium. [theory.md §4.6, G9-G11, L3]
 class RaySources {
  public:
-  /// @param ray  with enough azimuthal orders; must outlive this object
-  RaySources(const Discretisation& grid, Ray& ray);
+  /// @param ray     with enough azimuthal orders; must outlive this object
+  /// @param stokes  whether Q and U are asked for
+  RaySources(const Discretisation& grid, Ray& ray, bool stokes);
 
   /// The kernel's view; it points into this object.
   RaySourcesView view() const;
@@ -30,6 +31,9 @@ class RaySources {
   std::vector<HorizonWeights> horizon_;
   std::vector<const InterpolationWeights*> sun_weights_;
   std::vector<const float*> azimuth_factor_;
+  std::vector<const float*> azimuth_sine_;  // empty: Q and U are not asked for
+  std::vector<float> rotation_r_;
+  std::vector<float> rotation_t_;
 };
 
 }  // namespace skylut::transfer

@@ -92,6 +92,8 @@ void check_request(const Shells& shells, std::span<const OpticalColumn> columns,
     throw InputError("orders {}: must be >= 0 (0: all)", options.scattering_orders);
   if (!(options.most_memory_bytes >= 0.0))
     throw InputError("memory limit {} bytes: must be >= 0 (0: by the machine)", options.most_memory_bytes);
+  if (options.stokes && options.discretisation.polarised_degree == 0)
+    throw InputError("Q and U are asked for, but polarised-degrees is 0: must be 2 to 30");
   for (const Sight& sight : sights) check_sight(sight, shells.levels_km.back());
 }
 

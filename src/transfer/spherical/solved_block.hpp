@@ -16,20 +16,24 @@ class SolvedLanes final : public SolvedBlock {
       : optics_(optics),
         slant_depth_(static_cast<SlantDepthToSun<V>&&>(slant_depth)),
         slant_peak_depth_(grid.slant_depth, optics.peak_per_km, false),
-        solution_{grid, field.take_moments(), field.take_ground_irradiance(),
+        solution_{grid, field.take_moments(), field.take_polarised_moments(), field.take_ground_irradiance(),
                   HorizonDeficit<V>(grid, optics, field.horizon_light())} {}
 
   /// Radiance of the ray for every pair: L1 + L3 + L4.
   void line_of_sight(const RayView& ray, const RaySourcesView& diffuse, const float* phase,
-                     const float* peaks, float* radiance) const override {
+                     const float* peaks, const PolarisedScattering* polarised,
+                     float* radiance) const override {
     const SweepView& grid = solution_.grid;
     RayScratch<V> scratch(grid, ray, diffuse);
     V* out = scratch.radiance.data();
     single_scattering(grid, optics_, ray, phase, peaks, slant_depth_, slant_peak_depth_, scratch, out);
+    if (polarised != nullptr) single_polarised_scattering(ray, *polarised, scratch, out + ray.pairs);
     diffuse_scattering(grid, optics_, ray, diffuse, solution_, scratch, out);
     if (ray.hits_ground) ground_in_view(optics_, ray, diffuse, slant_depth_, solution_, out);
     for (int pair = 0; pair < ray.pairs; ++pair)
       store(without_undershoot(out[pair]), radiance + pair * kLaneCount<V>);
+    if (polarised == nullptr) return;
+    for (int i = ray.pairs; i < 3 * ray.pairs; ++i) store(out[i], radiance + i * kLaneCount<V>);
   }
 
   /// The same in parts, of several lines: the amplitudes of L1 and L5, then L3 + L4. The field is larger than
@@ -49,6 +53,18 @@ class SolvedLanes final : public SolvedBlock {
   }
 
  private:
+  /// Q and U of singly scattered light: F12 in the place of F11, turned into the vertical plane. [P9]
+  void single_polarised_scattering(const RayView& ray, const PolarisedScattering& polarised,
+                                   RayScratch<V>& scratch, V* q) const {
+    LaneArray<V> scattered(static_cast<std::size_t>(ray.pairs));
+    single_scattering(solution_.grid, optics_, ray, polarised.f12, nullptr, slant_depth_, slant_peak_depth_,
+                      scratch, scattered.data());
+    for (int pair = 0; pair < ray.pairs; ++pair) {
+      q[pair] += scattered.data()[pair] * polarised.rotation[2 * pair];
+      q[ray.pairs + pair] += scattered.data()[pair] * polarised.rotation[2 * pair + 1];
+    }
+  }
+
   void finish_parts(const RayView& ray, const RaySourcesView& diffuse, RayScratch<V>& scratch,
                     float* parts) const {
     const std::size_t amplitudes = static_cast<std::size_t>(3 * optics_.scatterers * ray.pairs);
@@ -58,8 +74,8 @@ class SolvedLanes final : public SolvedBlock {
     V* out = scratch.radiance.data();
     if (ray.hits_ground) ground_in_view(optics_, ray, diffuse, slant_depth_, solution_, out);
     for (std::size_t i = 0; i < amplitudes; ++i) store(amplitude.data()[i], parts + i * kLaneCount<V>);
-    for (int pair = 0; pair < ray.pairs; ++pair)
-      store(out[pair], parts + (amplitudes + static_cast<std::size_t>(pair)) * kLaneCount<V>);
+    for (std::size_t i = 0; i < scratch.radiance.size(); ++i)
+      store(out[i], parts + (amplitudes + i) * kLaneCount<V>);
   }
 
   OpticsView optics_;
@@ -68,11 +84,11 @@ class SolvedLanes final : public SolvedBlock {
   Solution<V> solution_;
 };
 
-template <class V, class Sizes>
+template <class V, int kStokes, class Sizes>
 inline SolvedBlock* solve_block(const SweepView& grid, const Sizes& sizes, const OpticsView& optics,
                                 const IterationLimits& limits, IterationReport& report) {
   SlantDepthToSun<V> slant_depth(grid.slant_depth, optics.layers.extinction_per_km);
-  DiffuseField<V, Sizes> field(grid, sizes, optics, slant_depth);
+  DiffuseField<V, Sizes, kStokes> field(grid, sizes, optics, slant_depth);
   report = field.solve(limits);
   if (report.end != IterationReport::kConverged) return nullptr;
   return new SolvedLanes<V>(grid, optics, static_cast<SlantDepthToSun<V>&&>(slant_depth), field);
@@ -81,9 +97,12 @@ inline SolvedBlock* solve_block(const SweepView& grid, const Sizes& sizes, const
 template <class V>
 inline SolvedBlock* solve_block(const SweepView& grid, const OpticsView& optics,
                                 const IterationLimits& limits, IterationReport& report) {
-  return with_sizes<V>(
-      grid.polar_nodes, grid.azimuth_nodes, grid.azimuthal_orders, grid.legendre_terms,
-      [&](const auto& sizes) { return solve_block<V>(grid, sizes, optics, limits, report); });
+  return with_sizes<V>(grid.polar_nodes, grid.azimuth_nodes, grid.azimuthal_orders, grid.legendre_terms,
+                       [&](const auto& sizes) {
+                         return grid.polarised.moments > 0
+                                    ? solve_block<V, 3>(grid, sizes, optics, limits, report)
+                                    : solve_block<V, 1>(grid, sizes, optics, limits, report);
+                       });
 }
 
 }  // namespace skylut::transfer

@@ -64,6 +64,7 @@ SweepTables::SweepTables(const Discretisation& grid) {
   view_.first_piece = grid.beam.first_piece().data();
   view_.piece_layer = grid.beam.piece_layer().data();
   if (grid.cuts_peak) view_.horizon = horizon_.emplace(angles, grid.horizon).view();
+  if (grid.polarised) view_.polarised = grid.polarised->view();
   view_.piece_thickness_km = grid.beam.piece_thickness_km().data();
 }
 

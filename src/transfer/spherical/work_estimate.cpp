@@ -37,6 +37,7 @@ struct Sizes {
   double polar;
   double azimuths;
   double moments;
+  double polarised_moments;  ///< of Q and U together
   double legendre_terms;
   double azimuthal_orders;
   double chord_nodes;
@@ -56,6 +57,8 @@ Sizes sizes_of(const Work& work, const SunBand& band, const DiscretisationKey& k
   sizes.azimuthal_orders = angles.max_m + 1;
   sizes.horizon_levels = key.cuts_peak ? kMostHorizonLevels : 0.0;
   for (int m = 0; m <= angles.max_m; ++m) sizes.moments += angles.max_l + 1 - m;
+  for (int m = 0; m <= std::min(angles.max_m, key.polarised_degree); ++m)
+    sizes.polarised_moments += 2.0 * std::max(0, key.polarised_degree + 1 - std::max(m, 2));
   // A sublayer of thickness d has chords up to the cosine √(2d/R) at its upper side; the nodes are even in
   // √μ.
   double thickest_km = 0.0;
@@ -87,23 +90,28 @@ double kept_bytes(const Work& work, const Sizes& sizes) {
   const double layers = count_of(work.shells.levels_km) - 1.0;
   const double scatterers = 2.0;
   return lanes_bytes(work.kernel) *
-         ((sizes.sublayers + 1.0) * sizes.sun_nodes * sizes.moments + 2.0 * SlantDepthGrid::points(layers) +
-          layers * (2.0 * sizes.legendre_terms + 4.0 + scatterers) +
+         ((sizes.sublayers + 1.0) * sizes.sun_nodes * (sizes.moments + sizes.polarised_moments) +
+          2.0 * SlantDepthGrid::points(layers) + layers * (2.0 * sizes.legendre_terms + 4.0 + scatterers) +
           sizes.horizon_levels * sizes.sun_nodes * sizes.polar * sizes.azimuthal_orders);
 }
 
 /// What is there besides while it is solved.
 double scratch_bytes(const Work& work, const Sizes& sizes) {
   const double fields = work.options.scattering_orders > 0 ? 3.0 : 1.0;
+  const double stokes = sizes.polarised_moments > 0.0 ? 3.0 : 1.0;
   return lanes_bytes(work.kernel) * sizes.sun_nodes *
-         ((sizes.sublayers + 1.0) * (fields * sizes.moments + sizes.chord_nodes * sizes.azimuths + 6.0) +
-          3.0 * sizes.directions() + sizes.horizon_levels * 2.0 * sizes.polar * sizes.azimuthal_orders);
+         ((sizes.sublayers + 1.0) * (fields * (sizes.moments + sizes.polarised_moments) +
+                                     stokes * sizes.chord_nodes * sizes.azimuths + 6.0) +
+          3.0 * stokes * sizes.directions() +
+          sizes.horizon_levels * 2.0 * sizes.polar * sizes.azimuthal_orders);
 }
 
 double block_cpu_s(const Work& work, const Sizes& sizes, double scattering_depth) {
   const double transform = sizes.moments * sizes.polar +
                            sizes.polar * sizes.azimuths * 0.5 * sizes.azimuthal_orders + sizes.moments;
-  const double per_node = 6.0 * transform + 20.0 * sizes.directions();
+  const double stokes = sizes.polarised_moments > 0.0 ? 3.0 : 1.0;
+  const double per_node =
+      6.0 * (transform + sizes.polarised_moments * sizes.polar) + 20.0 * stokes * sizes.directions();
   const double rounds = work.options.scattering_orders > 0 ? work.options.scattering_orders - 1.0
                                                            : iterations_for(scattering_depth);
   const double width = std::max(1.0, lanes_bytes(work.kernel) / 64.0);

@@ -78,6 +78,18 @@ TEST(AerosolPresets, PreethamsTablesComeBack) {
   }
 }
 
+// Forwards light keeps its polarisation, backwards U changes its sign, and nothing polarises by more than
+// all.
+void expect_matrix_of_spheres(const PhaseFunction& phase, const std::string& name) {
+  EXPECT_NEAR(phase.matrix(1.0).f33, phase.value(1.0), 1e-6 * phase.value(1.0)) << name;
+  EXPECT_NEAR(phase.matrix(-1.0).f33, -phase.value(-1.0), 1e-3 * phase.value(-1.0)) << name;
+  for (double angle_deg = 0.0; angle_deg <= 180.0; angle_deg += 2.5) {
+    const ScatteringMatrix at = phase.matrix(std::cos(angle_deg * kRadiansPerDegree));
+    EXPECT_EQ(at.f22, at.f11);
+    EXPECT_LE(std::hypot(at.f12, at.f33), at.f11 * (1.0 + 1e-3)) << name << " " << angle_deg;
+  }
+}
+
 TEST(AerosolPresets, MomentsAndPhaseFunctionsAgree) {
   for (const std::string& name : aerosol_names(test::context)) {
     const AerosolOptics optics = load_aerosol(test::context, name);
@@ -87,9 +99,26 @@ TEST(AerosolPresets, MomentsAndPhaseFunctionsAgree) {
       EXPECT_NEAR(phase->moment(1), optics.asymmetry_at(nm), 1e-12) << name;
       for (double angle_deg = 0.0; angle_deg <= 180.0; angle_deg += 2.5)
         EXPECT_GT(phase->value(std::cos(angle_deg * kRadiansPerDegree)), 0.0) << name << " " << angle_deg;
+      if (!optics.phase.empty()) expect_matrix_of_spheres(*phase, name);
     }
     EXPECT_DOUBLE_EQ(optics.relative_depth(500.0), 1.0) << name;
   }
+}
+
+// Between two wavelengths F12 is mixed in the same shares as F11.
+TEST(AerosolPresets, MatricesMixAsPhaseFunctionsDo) {
+  const AerosolOptics rural = load_aerosol(test::context, "rural");
+  const auto lower = rural.phase_function(500.0);
+  const auto upper = rural.phase_function(550.0);
+  const auto between = rural.phase_function(525.0);
+  const double share = (between->moment(1) - lower->moment(1)) / (upper->moment(1) - lower->moment(1));
+  const auto mixed = [&](double a, double b) { return (1.0 - share) * a + share * b; };
+  for (double mu : {0.9, 0.0, -0.9}) {
+    EXPECT_NEAR(between->matrix(mu).f12, mixed(lower->matrix(mu).f12, upper->matrix(mu).f12), 1e-9);
+    EXPECT_NEAR(between->matrix(mu).f33, mixed(lower->matrix(mu).f33, upper->matrix(mu).f33), 1e-9);
+  }
+  EXPECT_NEAR(between->matrix_moments(5)[5].beta1,
+              mixed(lower->matrix_moments(5)[5].beta1, upper->matrix_moments(5)[5].beta1), 1e-9);
 }
 
 // The stratospheric layer has its own optics, and turbidity is the column of both.

@@ -39,7 +39,10 @@ class OpticsCache : public testing::Test {
   std::error_code ignored_;
 };
 
-const std::vector<ParticleOptics> kResults{{1.0 / 3.0, 0.1, {1.0, 0.7, -1e-9}}, {2e-12, 1e-12, {1.0, 0.1}}};
+const PolarisationMoments kNone{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
+const std::vector<ParticleOptics> kResults{
+    {1.0 / 3.0, 0.1, {1.0, 0.7, -1e-9}, {{0.0, 0.0, 0.6}, {0.0, 0.0, 1e-5}, {0.0, 0.0, -0.24}}},
+    {2e-12, 1e-12, {1.0, 0.1}, kNone}};
 
 TEST_F(OpticsCache, GivesBackWhatItGot) {
   EXPECT_FALSE(find_in_cache(context_, "key"));
@@ -51,6 +54,9 @@ TEST_F(OpticsCache, GivesBackWhatItGot) {
     EXPECT_EQ((*found)[i].extinction_um2, kResults[i].extinction_um2);
     EXPECT_EQ((*found)[i].scattering_um2, kResults[i].scattering_um2);
     EXPECT_EQ((*found)[i].moments, kResults[i].moments);
+    EXPECT_EQ((*found)[i].polarisation.alpha2, kResults[i].polarisation.alpha2);
+    EXPECT_EQ((*found)[i].polarisation.alpha3, kResults[i].polarisation.alpha3);
+    EXPECT_EQ((*found)[i].polarisation.beta1, kResults[i].polarisation.beta1);
   }
   EXPECT_FALSE(find_in_cache(context_, "another key"));
 }
@@ -95,10 +101,11 @@ TEST_F(OpticsCache, ChangedNumbersAreNotBelieved) {
 TEST_F(OpticsCache, ImpossibleNumbersAreNotBelieved) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const ParticleOptics& impossible :
-       {ParticleOptics{1.0, 1.1, {1.0, 0.5}}, ParticleOptics{-1.0, -1.0, {1.0, 0.5}},
-        ParticleOptics{infinity, 1.0, {1.0, 0.5}}, ParticleOptics{1.0, NAN, {1.0, 0.5}},
-        ParticleOptics{1.0, 0.5, {7.0, 0.5}}, ParticleOptics{1.0, 0.5, {1.0, 1.5}},
-        ParticleOptics{1.0, 0.5, {1.0, infinity}}}) {
+       {ParticleOptics{1.0, 1.1, {1.0, 0.5}, kNone}, ParticleOptics{-1.0, -1.0, {1.0, 0.5}, kNone},
+        ParticleOptics{infinity, 1.0, {1.0, 0.5}, kNone}, ParticleOptics{1.0, NAN, {1.0, 0.5}, kNone},
+        ParticleOptics{1.0, 0.5, {7.0, 0.5}, kNone}, ParticleOptics{1.0, 0.5, {1.0, 1.5}, kNone},
+        ParticleOptics{1.0, 0.5, {1.0, infinity}, kNone}, ParticleOptics{1.0, 0.5, {1.0, 0.5}},
+        ParticleOptics{1.0, 0.5, {1.0, 0.5}, {{0.0, 0.0}, {0.0, 0.0}, {0.0, -1.5}}}}) {
     keep_in_cache(context_, "key", {kResults[0], impossible});
     EXPECT_FALSE(find_in_cache(context_, "key"));
   }

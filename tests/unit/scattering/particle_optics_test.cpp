@@ -11,6 +11,7 @@
 #include "skylut/core/constants.hpp"
 #include "skylut/core/quadrature.hpp"
 #include "skylut/scattering/aerosol_optics.hpp"
+#include "skylut/scattering/legendre_scattering_matrix.hpp"
 #include "skylut/scattering/mie_sphere.hpp"
 #include "skylut/scattering/tabulated_phase_function.hpp"
 #include "support/test_context.hpp"
@@ -30,7 +31,8 @@ TEST(AngularSum, MomentsOfTwoSpheres) {
     AngularSum::prepare(rules, AngularSum::class_of(MieSphere::terms(spheres[s].size_parameter())));
     light[s] = weights[s] * spheres[s].q_sca() * std::pow(spheres[s].size_parameter(), 2);
   }
-  const std::vector<double> moments = sum.moments(rules);
+  std::vector<double> moments;
+  for (const MatrixMoments& moment : sum.moments(rules)) moments.push_back(moment.alpha1);
   const Quadrature rule = gauss_legendre(400, -1.0, 1.0);
   for (const int l : {1, 2, 7, 30, 100}) {
     double direct = 0.0;
@@ -52,6 +54,54 @@ TEST(AngularSum, MomentsOfTwoSpheres) {
   EXPECT_NEAR(moments[1] / moments[0],
               (light[0] * spheres[0].asymmetry() + light[1] * spheres[1].asymmetry()) / (light[0] + light[1]),
               1e-11);
+}
+
+/// The matrix of one sphere by its moments.
+LegendreScatteringMatrix matrix_of(const MieSphere& sphere) {
+  AngularSum sum;
+  AngularSum::Rules rules;
+  sum.add(sphere, 1.0);
+  AngularSum::prepare(rules, AngularSum::class_of(MieSphere::terms(sphere.size_parameter())));
+  std::vector<MatrixMoments> moments = sum.moments(rules);
+  const double all = moments[0].alpha1;
+  for (MatrixMoments& moment : moments)
+    moment = {moment.alpha1 / all, moment.alpha2 / all, moment.alpha3 / all, moment.beta1 / all};
+  return LegendreScatteringMatrix(std::move(moments));
+}
+
+// The matrix's series against the amplitudes that it is made of: Bohren & Huffman 1983, eq. 4.77.
+TEST(AngularSum, MatrixOfASphereIsThatOfItsAmplitudes) {
+  for (const auto& [size, index] : {std::pair{0.8, std::complex(1.5, 0.0)},
+                                    {3.0, std::complex(1.33, 1e-3)},
+                                    {25.0, std::complex(1.55, 0.02)}}) {
+    const MieSphere sphere(size, index);
+    const LegendreScatteringMatrix matrix = matrix_of(sphere);
+    const double scale = 2.0 / (size * size * sphere.q_sca());
+    for (double mu : {1.0, 0.93, 0.5, 0.01, -0.3, -0.88, -1.0}) {
+      const MieSphere::Amplitudes at = sphere.amplitudes(mu);
+      const ScatteringMatrix found = matrix.matrix(mu);
+      const double f11 = scale * (std::norm(at.s1) + std::norm(at.s2));
+      const double error = 1e-9 * matrix.value(1.0);
+      EXPECT_NEAR(found.f11, f11, error) << size << " " << mu;
+      EXPECT_NEAR(found.f22, f11, error) << size << " " << mu;
+      EXPECT_NEAR(found.f12, scale * (std::norm(at.s2) - std::norm(at.s1)), error) << size << " " << mu;
+      EXPECT_NEAR(found.f33, 2.0 * scale * (at.s1 * std::conj(at.s2)).real(), error) << size << " " << mu;
+    }
+    EXPECT_NEAR(matrix.matrix(1.0).f33, matrix.value(1.0), 1e-9 * matrix.value(1.0));
+    EXPECT_NEAR(matrix.matrix(-1.0).f33, -matrix.value(-1.0), 1e-9 * matrix.value(1.0));
+  }
+}
+
+// A small sphere is a dipole, but for terms of the order x² = 1e-4.
+TEST(AngularSum, SmallSphereIsRayleighs) {
+  const std::vector<MatrixMoments> found = matrix_of(MieSphere(0.01, 1.5)).matrix_moments(4);
+  const std::vector<MatrixMoments> dipole = RayleighPhaseFunction(0.0).matrix_moments(4);
+  for (std::size_t l = 0; l < 5; ++l) {
+    EXPECT_NEAR(found[l].alpha1, dipole[l].alpha1, 1e-4) << l;
+    EXPECT_NEAR(found[l].alpha2, dipole[l].alpha2, 1e-4) << l;
+    EXPECT_NEAR(found[l].alpha3, dipole[l].alpha3, 1e-4) << l;
+    EXPECT_NEAR(found[l].beta1, dipole[l].beta1, 1e-4) << l;
+  }
 }
 
 AerosolComponent lognormal(double number, double mode_um, double sigma_g, double r_max_um, double n,
@@ -132,14 +182,24 @@ TEST(TabulatedPhaseFunction, LooksUpTheSeries) {
                                            lognormal(30.5, 0.39, 2.0, 20, 1.53, 0.0055),
                                            lognormal(0.142, 1.9, 2.15, 60, 1.53, 0.0055)};
   const ParticleOptics optics = particle_optics(test::context, dust, {400.0}).front();
-  const TabulatedPhaseFunction table(optics.moments);
+  const TabulatedPhaseFunction table(optics.moments, optics.polarisation);
   const LegendrePhaseFunction series(optics.moments);
+  const LegendreScatteringMatrix matrix(table.matrix_moments(static_cast<int>(optics.moments.size()) - 1));
   double worst = 0.0;
   for (double angle_deg = 0.0; angle_deg <= 180.0; angle_deg += angle_deg < 5.0 ? 0.0137 : 0.137) {
     const double mu = std::cos(angle_deg * kRadiansPerDegree);
     worst = std::max(worst, std::abs(table.value(mu) / series.value(mu) - 1.0));
   }
   EXPECT_LT(worst, 1e-3);
+  for (double angle_deg : {0.0, 0.4, 3.0, 20.0, 77.0, 130.0, 171.0, 180.0}) {
+    const double mu = std::cos(angle_deg * kRadiansPerDegree);
+    const ScatteringMatrix looked_up = table.matrix(mu);
+    const ScatteringMatrix exact = matrix.matrix(mu);
+    EXPECT_EQ(looked_up.f11, table.value(mu));
+    EXPECT_NEAR(looked_up.f12, exact.f12, 1e-3 * exact.f11) << angle_deg;
+    EXPECT_NEAR(looked_up.f22, exact.f22, 1e-3 * exact.f11) << angle_deg;
+    EXPECT_NEAR(looked_up.f33, exact.f33, 1e-3 * exact.f11) << angle_deg;
+  }
   EXPECT_NEAR(table.value(1.0) / series.value(1.0), 1.0, 1e-12);
   EXPECT_NEAR(table.value(-1.0) / series.value(-1.0), 1.0, 1e-6);
 

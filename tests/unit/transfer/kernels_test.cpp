@@ -70,10 +70,10 @@ std::vector<float> line_of_sight() {
   EXPECT_EQ(report.end, IterationReport::kConverged);
   const std::vector<SunAzimuth> pairs{{30.0, 0.0}, {80.0, 120.0}};
   Ray ray(common.ray_space(), 0.0, 40.0, pairs, grid.angles.azimuthal_orders());
-  const RaySources sources(grid, ray);
+  const RaySources sources(grid, ray, false);
   std::vector<float> radiance(pairs.size() * kLaneCount<V>);
   block->line_of_sight(ray.view(), sources.view(), optics.phases(ray).data(), optics.peaks(ray).data(),
-                       radiance.data());
+                       nullptr, radiance.data());
   return radiance;
 }
 

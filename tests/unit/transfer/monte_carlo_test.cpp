@@ -70,6 +70,72 @@ TEST(MonteCarlo, FirstOrderIsTheClosedForm) {
   EXPECT_NEAR(estimate[0].radiance, expected, 4.0 * estimate[0].standard_error + 2e-5 * expected);
 }
 
+// Sun at the zenith angle 60° in azimuth 0, view at 40° and 90°: cosΘ = cos 40° cos 60°. Singly scattered
+// light is polarised across the plane of scattering by -F12/F11 = Δ sin²Θ/… ; the angle σ between that
+// plane's normal and the view's horizontal turns it: Q = F12 cos 2σ, U = -F12 sin 2σ, with the plane's first
+// axis (the sun's direction less its part along the view) at σ from the vertical.
+TEST(MonteCarlo, FirstOrderPolarisedIsTheClosedForm) {
+  const Shells shells{{0.0, 10.0}, 1e6};
+  const auto rayleigh = std::make_shared<const RayleighPhaseFunction>(0.03);
+  const OpticalColumn column{{0.4}, {{rayleigh, {0.36}}}, 0.0};
+  const double view = 40.0 * kRadiansPerDegree;
+  const double sun = 60.0 * kRadiansPerDegree;
+  for (const double azimuth_deg : {0.0, 90.0, 150.0}) {
+    const double azimuth = azimuth_deg * kRadiansPerDegree;
+    const auto estimate =
+        solve_monte_carlo(test::context, shells, column, {0.0, 60.0, {{40.0, azimuth_deg}}},
+                          {.photons = 20'000, .seed = 1, .orders = 1, .polarised = true})[0];
+    // The sun's direction along the view's two axes: towards the zenith, and towards increasing azimuth.
+    const double up = std::cos(sun) * std::sin(view) - std::sin(sun) * std::cos(view) * std::cos(azimuth);
+    const double along = -std::sin(sun) * std::sin(azimuth);
+    const double sine_squared = up * up + along * along;
+    const ScatteringMatrix matrix =
+        rayleigh->matrix(std::cos(sun) * std::cos(view) + std::sin(sun) * std::sin(view) * std::cos(azimuth));
+    const double path = 0.9 / (4.0 * kPi) * std::cos(sun) / (std::cos(sun) - std::cos(view)) *
+                        (std::exp(-0.4 / std::cos(sun)) - std::exp(-0.4 / std::cos(view)));
+    const double tolerance = 1e-4 * path;
+    EXPECT_NEAR(estimate.radiance, path * matrix.f11, tolerance) << azimuth_deg;
+    EXPECT_NEAR(estimate.stokes_q, path * matrix.f12 * (up * up - along * along) / sine_squared, tolerance)
+        << azimuth_deg;
+    EXPECT_NEAR(estimate.stokes_u, path * matrix.f12 * 2.0 * up * along / sine_squared, tolerance)
+        << azimuth_deg;
+  }
+}
+
+// Natraj, Li & Yung 2009, doi:10.1088/0004-637X/691/2/1909: Rayleigh, depth 0.5, cos(sun) 0.2, black ground,
+// seen from the ground with μ = 0.1 at 90° and 0.52 at 0°; I, Q, U of a beam of flux 1. All orders.
+TEST(MonteCarlo, PolarisedPlaneLimitIsThePublishedTable) {
+  const Shells shells{{0.0, 1.0}, 1e6};
+  const OpticalColumn column{{0.5}, {{std::make_shared<const RayleighPhaseFunction>(), {0.5}}}, 0.0};
+  const double sun_deg = std::acos(0.2) * kDegreesPerRadian;
+  const double view_deg = std::acos(0.1) * kDegreesPerRadian;
+  const auto estimate =
+      solve_monte_carlo(test::context, shells, column, {0.0, sun_deg, {{view_deg, 90.0}, {view_deg, 0.0}}},
+                        {.photons = 200'000, .seed = 2, .polarised = true});
+  const double expected[2][3] = {{0.028014911, 0.018774076, 0.006611917}, {0.042926447, 0.004897042, 0.0}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(estimate[i].standard_error, 0.005 * expected[i][0]);
+    EXPECT_NEAR(estimate[i].radiance, expected[i][0], 4.0 * estimate[i].standard_error);
+    EXPECT_NEAR(estimate[i].stokes_q, expected[i][1], 4.0 * estimate[i].stokes_q_error);
+    EXPECT_NEAR(estimate[i].stokes_u, expected[i][2], 4.0 * estimate[i].stokes_u_error);
+  }
+}
+
+// Light that no scatterer polarises is the scalar equation's, draw for draw; so is what a bright ground adds.
+TEST(MonteCarlo, UnpolarisingMediumIsTheScalarOne) {
+  OpticalColumn column = hazy_column();
+  column.scatterers.erase(column.scatterers.begin());
+  const MonteCarloRequest request = views_of(2.0, 50.0);
+  const auto scalar = solve_monte_carlo(test::context, kEarth, column, request, {.photons = 2'000});
+  const auto stokes =
+      solve_monte_carlo(test::context, kEarth, column, request, {.photons = 2'000, .polarised = true});
+  for (std::size_t i = 0; i < scalar.size(); ++i) {
+    EXPECT_NEAR(stokes[i].radiance, scalar[i].radiance, 1e-12 * scalar[i].radiance);
+    EXPECT_EQ(stokes[i].stokes_q, 0.0);
+    EXPECT_EQ(scalar[i].stokes_u_error, 0.0);
+  }
+}
+
 TEST(MonteCarlo, ThreadsAndOtherViewsChangeNothing) {
   const OpticalColumn column = hazy_column();
   const MonteCarloRequest all = views_of(0.0, 85.0);

@@ -36,7 +36,7 @@ struct SourcesOfRay {
               std::cos(zenith_deg * kRadiansPerDegree)),
         ray(grids.common.ray_space(), observer_km, zenith_deg, std::span(&pair, 1),
             grids.grid.angles.azimuthal_orders()),
-        sources(grids.grid, ray),
+        sources(grids.grid, ray, false),
         view(sources.view()) {}
   RayTrace trace;
   Ray ray;
