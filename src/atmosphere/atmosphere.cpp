@@ -107,6 +107,18 @@ Atmosphere::Atmosphere(const Context& context, Profile profile, AtmosphereOption
     add_boundaries(constituent->boundaries_km(), shells_.levels_km);
   for (const std::unique_ptr<Constituent>& constituent : constituents_)
     constituent->set_levels(shells_.levels_km);
+  if (options_.refraction)
+    for (const double level_km : shells_.levels_km)
+      shells_.refractivity.push_back(rayleigh_->refractivity(kRefractionWavelength_nm, level_km));
+}
+
+Shells Atmosphere::shells_at(double wavelength_nm) const {
+  require_within("wavelength", wavelength_nm, domain::kWavelength_nm);
+  Shells shells = shells_;
+  const double share =
+      rayleigh_->refractivity(wavelength_nm, 0.0) / rayleigh_->refractivity(kRefractionWavelength_nm, 0.0);
+  for (double& refractivity : shells.refractivity) refractivity *= share;
+  return shells;
 }
 
 Atmosphere::~Atmosphere() = default;
@@ -225,6 +237,10 @@ nlohmann::ordered_json Atmosphere::describe() const {
                               {"gravity_m_s2", options_.gravity_m_s2},
                               {"planet_radius_km", options_.planet_radius_km},
                               {"levels_km", shells_.levels_km}};
+  if (options_.refraction)
+    json["refraction"] = {{"refractivity_at_ground", shells_.refractivity.front()},
+                          {"wavelength_nm", kRefractionWavelength_nm},
+                          {"source", RayleighConstituent::refractivity_source()}};
   for (const std::unique_ptr<Constituent>& constituent : constituents_)
     json[constituent->name()] = constituent->describe();
   return json;

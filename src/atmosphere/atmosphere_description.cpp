@@ -25,6 +25,7 @@ Atmosphere build_atmosphere(const Context& context, const AtmosphereDescription&
   options.no2_du = description.no2_du;
   options.water_cm = description.water_cm;
   options.surface_pressure_hPa = description.surface_pressure_hPa;
+  options.refraction = description.refraction;
   Profile profile = load_profile(context, description.profile);
   if (description.place) {
     Place place = *description.place;

@@ -1,9 +1,11 @@
 #include "rayleigh_constituent.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "air_column.hpp"
+#include "skylut/core/constants.hpp"
 #include "skylut/scattering/rayleigh.hpp"
 
 namespace skylut {
@@ -46,6 +48,23 @@ std::vector<Scatterer> RayleighConstituent::scatterers(double wavelength_nm, dou
 double RayleighConstituent::extinction_at_ground_per_km(double wavelength_nm) const {
   return 1000.0 * rayleigh_cross_section_m2(wavelength_nm, carbon_dioxide_fraction_) *
          air_state(*profile_, 0.0).density_per_m3;
+}
+
+double RayleighConstituent::refractivity(double wavelength_nm, double altitude_km) const {
+  // Stretched under another gravity, as stretched_air_per_m2.
+  const double profile_km =
+      std::min(altitude_km * gravity_m_s2_ / kStandardGravity_m_s2, profile_->altitude_km.back());
+  const GasProfile* water = profile_->gas("water_vapour");
+  const double air_per_m3 = air_state(*profile_, profile_km).density_per_m3;
+  const double water_per_m3 =
+      water == nullptr ? 0.0 : interpolate_by_altitude(*profile_, water->density_per_m3, profile_km);
+  return refractivity_of_air(wavelength_nm, carbon_dioxide_fraction_, air_per_m3,
+                             std::min(air_per_m3, water_per_m3));
+}
+
+const char* RayleighConstituent::refractivity_source() {
+  return "Peck and Reeder 1972, doi:10.1364/JOSA.62.000958; water vapour Ciddor 1996, "
+         "doi:10.1364/AO.35.001566";
 }
 
 nlohmann::ordered_json RayleighConstituent::describe() const {

@@ -23,6 +23,10 @@ class RayleighConstituent final : public Constituent {
   double carbon_dioxide_fraction() const { return carbon_dioxide_fraction_; }
   double extinction_at_ground_per_km(double wavelength_nm) const;
 
+  /// Refractive index minus 1 of the profile's air, water vapour included.
+  double refractivity(double wavelength_nm, double altitude_km) const;
+  static const char* refractivity_source();
+
  private:
   std::vector<double> depths(double wavelength_nm) const;
 

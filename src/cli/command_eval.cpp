@@ -96,7 +96,7 @@ Direction asked_sun(EvalOptions& options, Evaluation& asked) {
   SkyScene lit;
   options.sun.put_into(lit, {options.place, false});
   options.sun.require_above(domain::kSunZenith_deg.highest, lit.suns.front(),
-                            "the sky's light ends at 96 deg (night)");
+                            "the sky's light ends at 99 deg (night)");
   asked.time = lit.time;
   return lit.suns.front();
 }

@@ -57,7 +57,7 @@ SkyScene scene_of(const Context& context, MapOptions& options) {
   if (options.sun.is_series()) return scene;
   options.sun.put_into(scene, options.scene.sun_place());
   options.sun.require_above(domain::kSunZenith_deg.highest, scene.suns.front(),
-                            "the sky's light ends at 96 deg (night)");
+                            "the sky's light ends at 99 deg (night)");
   return scene;
 }
 
@@ -156,6 +156,7 @@ Command map_command() {
           "of the observer above the ground, 0 to 30");
   add_turbidity(set, options->turbidity);
   options->sun.add_to(set, domain::kSunZenith_deg, time_or_steps());
+  options->sun.add_apparent_to(set);
   add_directions(set, options->directions);
   options->picture.add_to(set);
   options->sun.add_series_to(set);

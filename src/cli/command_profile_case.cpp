@@ -80,7 +80,7 @@ Command profile_case_command() {
   add_turbidity(set, options->turbidity);
   set.add("--altitude-km", request.altitude_km, number(domain::kObserver_km),
           "of the observer above the ground, 0 to 30");
-  set.add("--sun-zenith-deg", request.sun_zenith_deg, number(domain::kSunZenith_deg), "of the sun, 0 to 96");
+  set.add("--sun-zenith-deg", request.sun_zenith_deg, number(domain::kSunZenith_deg), "of the sun, 0 to 99");
   set.add("--view", request.views, relative_views(),
           "zenith angle (0 to 180) and azimuth from the sun's (0 to 180), degrees");
   options->air.add_to(set);

@@ -53,7 +53,7 @@ void require_low_enough_demands(const SunOptions& options, const Direction& sun)
     options.sun.require_above(90.0, sun, "closed forms end at the horizon, 90 deg");
   else if (!options.no_diffuse)
     options.sun.require_above(domain::kSunZenith_deg.highest, sun,
-                              "diffuse light ends at 96 deg (night): use --no-diffuse");
+                              "diffuse light ends at 99 deg (night): use --no-diffuse");
 }
 
 SkyScene scene_of(const Context& context, SunOptions& options) {
@@ -85,9 +85,11 @@ SunIrradianceOptions irradiances(SunOptions& options) {
   return asked;
 }
 
-void print_facts(const SunIrradiance& sun, const SunAppearance& appearance, const SkyScene& scene) {
+void print_facts(const SunIrradiance& sun, const SunAppearance& appearance, const SkyScene& scene,
+                 bool shells) {
   fmt::print("sun {:.4f} deg from the zenith, azimuth {:.4f} deg, {:.5f} au away, seen from {} km\n",
              sun.sun.zenith_deg, sun.sun.azimuth_deg, scene.sun_distance_au, scene.altitudes_km[0]);
+  if (shells) fmt::print("{}", refracted_sun_text(refracted_sun(scene)));
   fmt::print("{}\n", turbidity_text(scene.turbidities[0], *scene.atmosphere));
   if (!sun.beam_arrives) fmt::print("the ground hides the sun: no direct beam\n");
   fmt::print("{}{}", sun_sums_text(sun), sun_appearance_text(appearance));
@@ -106,7 +108,7 @@ void run(SunOptions& options, const OptionSet& given) {
   const SunAppearance appearance = options.model ? sun_appearance(context, sun, scene.sun_distance_au)
                                                  : sun_appearance(context, sun, SunDisc(context, scene));
   if (!options.out) {
-    print_facts(sun, appearance, scene);
+    print_facts(sun, appearance, scene, !options.model);
     fmt::print("{}", sun_spectrum_text(sun));
     return;
   }
@@ -117,7 +119,7 @@ void run(SunOptions& options, const OptionSet& given) {
   write_text_atomically(
       *options.out,
       json ? sun_json(sun, appearance, scene, model_kind().write(options.model), provenance) : sun_csv(sun));
-  print_facts(sun, appearance, scene);
+  print_facts(sun, appearance, scene, !options.model);
   fmt::print("wrote {}\n", options.out->string());
 }
 
@@ -139,6 +141,7 @@ Command sun_command() {
           "of the observer above the ground, 0 to 30");
   add_turbidity(set, options->turbidity);
   options->sun.add_to(set, domain::kAnyZenith_deg);
+  options->sun.add_apparent_to(set);
   set.add_flag("--no-diffuse", options->no_diffuse, "only the direct beam, in an instant");
   set.add("--circumsolar-deg", options->circumsolar_deg, number(domain::kCircumsolar_deg),
           "also the diffuse light within this angle of the sun, 0 to 10; 0: not");

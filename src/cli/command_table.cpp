@@ -239,7 +239,7 @@ Command declared(const std::shared_ptr<TableOptions>& options) {
   set.add("--turbidities", options->turbidities, numbers(domain::kTurbidityValue),
           "of the kind of --turbidity-kind");
   set.add("--suns", options->suns, suns(),
-          "zenith angle (0 to 96) and azimuth (clockwise from north) in degrees");
+          "zenith angle (0 to 99) and azimuth (clockwise from north) in degrees");
   set.add(
       "--directions", options->directions, name_or_file(),
       "that the fits see: dome (the whole dome, each sky's own), utm271 (as the UTM report 2005 has it, each "

@@ -116,7 +116,7 @@ void write_series(const Context& context, const PictureJob& job, const SunSeries
   });
   print_scene(job);
   if (series.too_dark > 0)
-    fmt::print("{} suns are more than 96 deg from the zenith (night): they have no frame\n", series.too_dark);
+    fmt::print("{} suns are more than 99 deg from the zenith (night): they have no frame\n", series.too_dark);
   fmt::print("wrote {} frames, {} to {}\n", rows.size(), frame_file(job.out, first + 1, count).string(),
              frame_file(job.out, first + rows.size(), count).string());
   if (only > 0) return;

@@ -44,6 +44,8 @@ void AirOptions::add_to(OptionSet& options) {
               "nitrogen dioxide column in Dobson units; default: the profile's");
   options.add("--pressure-hpa", description_.surface_pressure_hPa, number(domain::kSurfacePressure_hPa),
               "pressure at the ground: scales the air and its oxygen at all heights; default: the profile's");
+  options.add_flag("--refraction", refraction_, "the air bends lines of sight and sunbeams");
+  options.add_flag("--no-refraction", no_refraction_, "light goes straight");
 
   options.group("Place: gives gravity and the Earth's radius (default: standard gravity, 6371 km)");
   place_.add_to(options);
@@ -53,6 +55,8 @@ AtmosphereDescription AirOptions::atmosphere(const std::string& profile) const {
   AtmosphereDescription description = description_;
   description.profile = profile;
   description.place = place_.place();
+  if (refraction_ && no_refraction_) throw InputError("--refraction: must not be given with --no-refraction");
+  description.refraction = !no_refraction_ && (refraction_ || AtmosphereDescription{}.refraction);
   return description;
 }
 

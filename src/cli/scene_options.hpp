@@ -50,6 +50,8 @@ class AirOptions {
  private:
   TurbidityKind turbidity_kind_ = TurbidityKind::aod500;
   AtmosphereDescription description_;  // all but profile and place
+  bool refraction_ = false;
+  bool no_refraction_ = false;
   PlaceOptions place_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "options/file_kinds.hpp"
 #include "options/number_kinds.hpp"
+#include "skylut/transfer/refraction.hpp"
 
 namespace skylut::cli {
 
@@ -10,6 +11,11 @@ void SunOption::add_to(OptionSet& options, const Range& zenith, const Kind<TimeO
               fmt::format("of the sun, 0 to {}", zenith.highest));
   options.add("--sun-azimuth-deg", azimuth_deg_, azimuth(), "of the sun, clockwise from north; default: 180");
   options.add("--time", time_, time, "instead of the sun's angles, with a place: 2024-06-21T09:00Z");
+}
+
+void SunOption::add_apparent_to(OptionSet& options) {
+  options.add_flag("--apparent", apparent_,
+                   "--sun-zenith-deg is where refraction shows the sun; default: its true place");
 }
 
 void SunOption::add_series_to(OptionSet& options) {
@@ -50,11 +56,15 @@ Place SunOption::place_of(const SunPlace& where) const {
 
 void SunOption::put_into(SkyScene& scene, const SunPlace& where) {
   require_alone();
+  if (apparent_ && !zenith_deg_) throw InputError("--apparent: says what --sun-zenith-deg is, needs it");
   if (!time_) {
     if (!zenith_deg_)
       throw InputError("no sun: give --sun-zenith-deg, or --latitude, --longitude and --time");
     azimuth_deg_ = azimuth_deg_.value_or(180.0);  // recorded as it was used
-    scene.suns = {{*zenith_deg_, *azimuth_deg_}};
+    const double zenith_deg =
+        apparent_ ? true_sun_zenith_deg(scene.atmosphere->shells(), scene.altitudes_km.at(0), *zenith_deg_)
+                  : *zenith_deg_;
+    scene.suns = {{zenith_deg, *azimuth_deg_}};
     return;
   }
   const auto& time = std::get<UtcTime>(*time_);
@@ -65,6 +75,8 @@ void SunOption::put_into(SkyScene& scene, const SunPlace& where) {
 
 SunSeries SunOption::series(const SunPlace& where, double sun_distance_au) const {
   require_alone();
+  if (apparent_)
+    throw InputError("--apparent: says what --sun-zenith-deg is, must not be given with {}", chosen());
   SunSeries series = suns_ ? sun_series(*suns_, sun_distance_au)
                            : sun_series(place_of(where), times_ ? read_times_csv(*times_)
                                                                 : times_of(std::get<TimeSteps>(*time_)));

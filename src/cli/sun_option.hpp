@@ -20,6 +20,9 @@ class SunOption {
   /// @param zenith  what the zenith angle may be
   /// @param time    a moment, or time_or_steps()
   void add_to(OptionSet& options, const Range& zenith, const Kind<TimeOrSteps>& time = one_time());
+  /// Adds --apparent, for commands whose scenes hold their altitude and air before the sun is put into them.
+  void add_apparent_to(OptionSet& options);
+
   /// Adds --suns and --times.
   void add_series_to(OptionSet& options);
 
@@ -36,7 +39,7 @@ class SunOption {
   SunSeries series(const SunPlace& where, double sun_distance_au) const;
 
   /// Refuses a sun that is too low for what is asked of it.
-  /// @param limit  "diffuse light ends at 96 deg, use --no-diffuse"
+  /// @param limit  "diffuse light ends at 99 deg, use --no-diffuse"
   /// @throws InputError  naming the option, the sun's zenith angle and the limit
   void require_above(double lowest_sun_deg, const Direction& sun, const char* limit) const;
 
@@ -48,6 +51,7 @@ class SunOption {
 
   std::optional<double> zenith_deg_;
   std::optional<double> azimuth_deg_;
+  bool apparent_ = false;
   std::optional<TimeOrSteps> time_;
   std::optional<std::filesystem::path> times_;
   std::optional<std::vector<Direction>> suns_;

@@ -4,7 +4,10 @@
 
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
+
+#include "skylut/sky/refracted_sun.hpp"
 
 namespace skylut {
 
@@ -87,6 +90,15 @@ std::string sun_json(const SunIrradiance& sun, const SunAppearance& appearance, 
   json["altitude_km"] = scene.altitudes_km.at(0);
   json["turbidity"] = {{"kind", turbidity_kind_name(turbidity.kind)}, {"value", turbidity.value}};
   json["sun"] = {{"zenith_deg", sun.sun.zenith_deg}, {"azimuth_deg", sun.sun.azimuth_deg}};
+  if (const std::optional<RefractedSun> seen = refracted_sun(scene); seen && method == "shells")
+    json["sun"].update({{"apparent_zenith_deg", seen->apparent_zenith_deg},
+                        {"last_zenith_deg", seen->last_zenith_deg},
+                        {"refraction_deg",
+                         {{"450", seen->blue_refraction_deg},
+                          {"550", seen->refraction_deg},
+                          {"650", seen->red_refraction_deg}}},
+                        {"vertical_diameter_deg", seen->vertical_diameter_deg},
+                        {"horizontal_diameter_deg", seen->horizontal_diameter_deg}});
   if (sun.plane) json["plane"] = {{"tilt_deg", sun.plane->tilt_deg}, {"azimuth_deg", sun.plane->azimuth_deg}};
   json["beam_arrives"] = sun.beam_arrives;
   json["sun_distance_au"] = scene.sun_distance_au;

@@ -56,7 +56,7 @@ ModelInfo info_of(const CompactFormOptions& options) {
           .turbidity_kind = TurbidityKind::aod500,
           .turbidity = {0.0, options.most_aod500, ""},
           .albedo = domain::kAlbedo,
-          .sun_zenith_deg = domain::kSunZenith_deg,
+          .sun_zenith_deg = {0.0, 96.0, "deg"},  // the last of its nodes
           .view_zenith_deg = domain::kAnyZenith_deg};
 }
 

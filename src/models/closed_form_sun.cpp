@@ -108,6 +108,7 @@ SunIrradiance simulate_sun_closed_form(const Context& context, const SkyScene& s
   SunIrradiance result;
   result.wavelengths = scene.wavelengths;
   result.sun = scene.suns[0];
+  result.seen_sun = result.sun;
   result.beam_arrives = true;
   result.extraterrestrial = extraterrestrial_irradiance(context, scene);
   result.luminous_weight = luminous_weights(context, scene.wavelengths);

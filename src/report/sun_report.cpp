@@ -42,6 +42,19 @@ std::string sun_sums_text(const SunIrradiance& sun) {
          line("extraterrestrial", sun.extraterrestrial, sun) + plane_text(sun);
 }
 
+std::string refracted_sun_text(const std::optional<RefractedSun>& sun) {
+  if (!sun) return {};
+  std::string text = fmt::format("refraction: true zenith angle {:.4f} deg, apparent {:.4f} deg",
+                                 sun->true_zenith_deg, sun->apparent_zenith_deg);
+  if (sun->true_zenith_deg > sun->last_zenith_deg) text += ", below the horizon";
+  text += fmt::format("; lifted by {:.4f} deg (450 nm: {:.4f}, 650 nm: {:.4f})\n", sun->refraction_deg,
+                      sun->blue_refraction_deg, sun->red_refraction_deg);
+  if (sun->vertical_diameter_deg > 0.0)
+    text += fmt::format("disc {:.4f} deg high, {:.4f} deg wide as it is seen\n", sun->vertical_diameter_deg,
+                        sun->horizontal_diameter_deg);
+  return text;
+}
+
 std::string sun_appearance_text(const SunAppearance& appearance) {
   std::string text = fmt::format("disc {:.4f} deg across", appearance.angular_diameter_deg);
   if (appearance.visible_part == 0.0)

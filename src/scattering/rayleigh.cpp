@@ -33,6 +33,17 @@ double refractivity_peck_reeder1972(double wavelength_nm, double carbon_dioxide_
   return at_300_ppm * (1.0 + 0.54 * (carbon_dioxide_fraction - 0.0003));
 }
 
+double refractivity_of_air(double wavelength_nm, double carbon_dioxide_fraction, double air_per_m3,
+                           double water_per_m3) {
+  const double s = inverse_square_per_um2(wavelength_nm);
+  // Ciddor's standard water vapour: 293.15 K, 1333 Pa.
+  constexpr double kWaterDensity_per_m3 = 1333.0 / (1.380649e-23 * 293.15);
+  const double water = 1.022e-8 * (295.235 + s * (2.6422 + s * (-0.032380 + s * 0.004028)));
+  return refractivity_peck_reeder1972(wavelength_nm, carbon_dioxide_fraction) * (air_per_m3 - water_per_m3) /
+             kStandardDensity_per_m3 +
+         water * water_per_m3 / kWaterDensity_per_m3;
+}
+
 double king_factor_bates1984(double wavelength_nm, double carbon_dioxide_fraction) {
   const double s = inverse_square_per_um2(wavelength_nm);
   const double nitrogen = 1.034 + 3.17e-4 * s;

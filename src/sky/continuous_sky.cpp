@@ -12,6 +12,7 @@
 #include "skylut/core/domain.hpp"
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
+#include "skylut/transfer/refraction.hpp"
 
 namespace skylut {
 
@@ -86,12 +87,15 @@ class PatchBuilder {
         sky_(sky),
         observer_km_(observer_km),
         sun_deg_(sun_zenith_deg),
+        apparent_(apparent_shells(sky.shells())),
+        apparent_km_(apparent_altitude_km(sky.shells(), observer_km)),
+        apparent_sun_deg_(apparent_sun(sky.shells(), observer_km, sun_zenith_deg).zenith_deg),
         options_(options) {}
 
   std::vector<SkyPatch> build(double& error) {
     std::vector<Draft> open;
     for (const ZenithPanel& panel :
-         zenith_panels(sky_.shells().levels_km, observer_km_, sky_.shells().planet_radius_km))
+         zenith_panels(apparent_.levels_km, apparent_km_, apparent_.planet_radius_km))
       open.push_back(draft(panel));
     std::vector<SkyPatch> done;
     while (!open.empty()) {
@@ -156,7 +160,8 @@ class PatchBuilder {
       draft.patch.row(with.zenith_deg, row);
       for (std::size_t k = 0; k < with.azimuths_deg.size(); ++k) {
         SkyPatch::radiance(sky_.factors_of_point(), row,
-                           patch_direction(with.zenith_deg, with.azimuths_deg[k], sun_deg_), scratch, found);
+                           patch_direction(with.zenith_deg, with.azimuths_deg[k], apparent_sun_deg_), scratch,
+                           found);
         double& error = k < with.at_nodes ? draft.zenith_error : draft.azimuth_error;
         error = std::max(error, relative_error(sky_, found, std::span(with.exact).subspan(k * width, width)));
       }
@@ -181,6 +186,9 @@ class PatchBuilder {
   const SolvedSky& sky_;
   double observer_km_;
   double sun_deg_;
+  Shells apparent_;  ///< in which panels end at tangents
+  double apparent_km_;
+  double apparent_sun_deg_;
   const ContinuousSkyOptions& options_;
 };
 
@@ -191,7 +199,8 @@ ContinuousSky::ContinuousSky(const Context& context, std::shared_ptr<const Solve
                              const ContinuousSkyOptions& options)
     : solved_(std::move(solved)),
       sun_(sun),
-      horizon_zenith_deg_(skylut::horizon_zenith_deg(solved_->shells().planet_radius_km, altitude_km)),
+      apparent_sun_deg_(apparent_sun(solved_->shells(), altitude_km, sun.zenith_deg).zenith_deg),
+      horizon_zenith_deg_(skylut::horizon_zenith_deg(solved_->shells(), altitude_km)),
       scale_(1.0 / (sun_distance_au * sun_distance_au)) {
   require_within("altitude", altitude_km, domain::kObserver_km);
   require_within("sun zenith angle", sun.zenith_deg, domain::kSunZenith_deg);
@@ -224,7 +233,7 @@ void ContinuousSky::look(std::span<const Direction> directions, const Row& row_o
     if (i == 0 || direction.zenith_deg != directions[i - 1].zenith_deg)
       row_of(patches_[patch_of(direction.zenith_deg)], direction.zenith_deg, row);
     use(i, row,
-        patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, sun_.zenith_deg));
+        patch_direction(direction.zenith_deg, direction.azimuth_deg - sun_.azimuth_deg, apparent_sun_deg_));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "skylut/core/errors.hpp"
 #include "skylut/core/parallel.hpp"
 #include "skylut/core/quadrature.hpp"
+#include "skylut/transfer/refraction.hpp"
 
 namespace skylut {
 
@@ -70,13 +71,15 @@ DomeSky::DomeSky(std::shared_ptr<const SolvedSky> solved, double altitude_km, do
     : solved_(std::move(solved)),
       exact_(solved_, altitude_km, {sun_zenith_deg, 0.0}, sun_distance_au),
       scale_(1.0 / (sun_distance_au * sun_distance_au)),
-      dome_(
-          std::make_unique<SkyPatch>(ZenithPanel::whole_dome(altitude_km, solved_->shells().planet_radius_km),
-                                     nodes_for(sun_zenith_deg).points, nodes_for(sun_zenith_deg).azimuths)) {
+      seen_sun_{apparent_sun(solved_->shells(), altitude_km, sun_zenith_deg).zenith_deg, 0.0} {
+  const double planet_km = apparent_shells(solved_->shells()).planet_radius_km;
+  const double apparent_km = apparent_altitude_km(solved_->shells(), altitude_km);
+  dome_ = std::make_unique<SkyPatch>(ZenithPanel::whole_dome(apparent_km, planet_km),
+                                     nodes_for(sun_zenith_deg).points, nodes_for(sun_zenith_deg).azimuths);
   if (exact_.horizon_zenith_deg() > kDomeEnds_deg)
-    limb_ = std::make_unique<SkyPatch>(
-        ZenithPanel::whole_limb(altitude_km, solved_->shells().planet_radius_km),
-        nodes_for(sun_zenith_deg).limb_points, nodes_for(sun_zenith_deg).limb_azimuths);
+    limb_ = std::make_unique<SkyPatch>(ZenithPanel::whole_limb(apparent_km, planet_km),
+                                       nodes_for(sun_zenith_deg).limb_points,
+                                       nodes_for(sun_zenith_deg).limb_azimuths);
 }
 
 DomeSky::~DomeSky() = default;
@@ -132,7 +135,7 @@ void DomeSky::radiance(std::span<const Direction> directions, std::span<float> r
   SKYLUT_CHECK_EQ(radiance.size(), directions.size() * width);
   std::vector<float> scratch;
   const std::vector<std::size_t> beyond = look(
-      directions, sun(),
+      directions, seen_sun_,
       [this](double zenith_deg, std::vector<float>& row) {
         row.resize(dome_->row_size());
         dome_->row(zenith_deg, row);
@@ -153,7 +156,7 @@ void DomeSky::colour(std::span<const Direction> directions, std::span<Xyz> colou
   SKYLUT_CHECK_EQ(colour.size(), directions.size());
   std::vector<float> scratch;
   const std::vector<std::size_t> beyond = look(
-      directions, sun(),
+      directions, seen_sun_,
       [this](double zenith_deg, std::vector<float>& row) {
         row.resize(dome_->colour_row_size());
         dome_->colour_row(zenith_deg, row);
@@ -182,7 +185,7 @@ double DomeSky::luminance_below() const {
     const double ring = zeniths.weight[i] * std::sin(zeniths.node[i] * kRadiansPerDegree);
     for (int k = 0; k < kSteps; ++k) {
       const double t = (k + 0.5) / kSteps;
-      const PatchDirection direction = patch_direction(zeniths.node[i], 180.0 * t * t, sun().zenith_deg);
+      const PatchDirection direction = patch_direction(zeniths.node[i], 180.0 * t * t, seen_sun_.zenith_deg);
       sum += ring * t * SkyPatch::colour(*solved_, row, direction, scratch).Y;
       all += ring * t;
     }

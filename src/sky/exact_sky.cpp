@@ -19,7 +19,7 @@ ExactSky::ExactSky(std::shared_ptr<const SolvedSky> solved, double altitude_km, 
     : solved_(std::move(solved)),
       altitude_km_(altitude_km),
       sun_(sun),
-      horizon_zenith_deg_(skylut::horizon_zenith_deg(solved_->shells().planet_radius_km, altitude_km)),
+      horizon_zenith_deg_(skylut::horizon_zenith_deg(solved_->shells(), altitude_km)),
       scale_(1.0 / (sun_distance_au * sun_distance_au)) {
   require_within("altitude", altitude_km, domain::kObserver_km);
   require_within("sun zenith angle", sun.zenith_deg, domain::kSunZenith_deg);

@@ -30,7 +30,7 @@ SunAppearance sun_appearance(const Context& context, const SunIrradiance& sun, c
   SunAppearance result =
       appearance(ColourMatching::load(context), sun, disc.illuminance(), disc.visible_solid_angle_sr());
   result.angular_diameter_deg = 2.0 * disc.angular_radius_deg();
-  result.visible_part = disc.visible_solid_angle_sr() / disc.solid_angle_sr();
+  result.visible_part = disc.visible_part();
   return result;
 }
 

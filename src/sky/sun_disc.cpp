@@ -14,6 +14,7 @@
 #include "skylut/core/quadrature.hpp"
 #include "skylut/sky/sun_irradiance.hpp"
 #include "skylut/transfer/direct_beam.hpp"
+#include "skylut/transfer/refraction.hpp"
 
 namespace skylut {
 
@@ -29,9 +30,9 @@ struct SunDisc::Place {
 };
 
 struct SunDisc::Node {
-  Direction direction;
+  Direction direction;  // apparent
   double mu = 0.0;
-  double solid_angle_sr = 0.0;
+  double solid_angle_sr = 0.0;  // apparent
 };
 
 namespace {
@@ -79,7 +80,9 @@ SunDisc::SunDisc(const Context& context, const SkyScene& scene) : wavelengths_(s
   sun_ = scene.suns[0];
   angular_radius_deg_ = sun_angular_radius_deg(scene.sun_distance_au);
   solid_angle_sr_ = sun_solid_angle_sr(scene.sun_distance_au);
-  horizon_zenith_deg_ = horizon_zenith_deg(air.shells().planet_radius_km, altitude_km);
+  horizon_zenith_deg_ = horizon_zenith_deg(air.shells(), altitude_km);
+  bends_ = !air.shells().refractivity.empty();
+  last_sun_deg_ = bends_ ? last_sun_zenith_deg(air.shells(), altitude_km) : horizon_zenith_deg_;
 
   const LimbDarkening darkening = LimbDarkening::load(context);
   mean_above_air_ = extraterrestrial_irradiance(context, scene);
@@ -91,14 +94,19 @@ SunDisc::SunDisc(const Context& context, const SkyScene& scene) : wavelengths_(s
 
   direct_normal_.assign(wavelengths_.size(), 0.0);
   const double top_deg = std::max(0.0, sun_.zenith_deg - angular_radius_deg_);
-  const double bottom_deg = std::min(sun_.zenith_deg + angular_radius_deg_, horizon_zenith_deg_);
+  const double bottom_deg = std::min(sun_.zenith_deg + angular_radius_deg_, last_sun_deg_);
   if (top_deg >= bottom_deg) return;
-  fill_transmittance(air, altitude_km, aod500, top_deg, bottom_deg);
+  const auto seen_deg = [&](double sun_deg) {
+    return std::min(apparent_sun(air.shells(), altitude_km, sun_deg).zenith_deg, horizon_zenith_deg_);
+  };
+  fill_transmittance(air, altitude_km, aod500, seen_deg(top_deg), seen_deg(bottom_deg));
   // A segment of the unit disc, of π.
   const double y = lowest_y();
-  visible_solid_angle_sr_ = solid_angle_sr_ * (0.5 - (std::asin(y) + y * std::sqrt(1.0 - y * y)) / kPi);
+  visible_true_sr_ = solid_angle_sr_ * (0.5 - (std::asin(y) + y * std::sqrt(1.0 - y * y)) / kPi);
+  if (!bends_) visible_solid_angle_sr_ = visible_true_sr_;
   std::vector<double> radiance(wavelengths_.size());
   for (const Node& node : quadrature(kOrder)) {
+    if (bends_) visible_solid_angle_sr_ += node.solid_angle_sr;
     spectrum(node.mu, node.direction.zenith_deg, radiance);
     for (std::size_t i = 0; i < radiance.size(); ++i) direct_normal_[i] += node.solid_angle_sr * radiance[i];
   }
@@ -110,9 +118,12 @@ void SunDisc::fill_transmittance(const Atmosphere& air, double altitude_km, doub
   const int nodes = transmittance_nodes(top_deg, bottom_deg);
   for (int n = 0; n < nodes; ++n) {
     zenith_deg_.push_back(linear(top_deg, bottom_deg, n / (nodes - 1.0)));
-    const auto path = beam_path_factors(air.shells(), altitude_km, zenith_deg_.back());
+    const auto path = sight_path_factors(air.shells(), altitude_km, zenith_deg_.back());
     SKYLUT_CHECK(path.has_value());
     paths.push_back(*path);
+    if (!bends_) continue;
+    true_deg_.push_back(true_sun_zenith_deg(air.shells(), altitude_km, zenith_deg_.back()));
+    concentration_.push_back(apparent_sun(air.shells(), altitude_km, true_deg_.back()).concentration);
   }
   transmittance_.assign(zenith_deg_.size() * wavelengths_.size(), 1.0);
   for (std::size_t i = 0; i < wavelengths_.size(); ++i)
@@ -123,7 +134,7 @@ void SunDisc::fill_transmittance(const Atmosphere& air, double altitude_km, doub
 }
 
 double SunDisc::lowest_y() const {
-  const double to_horizon = 0.5 * (horizon_zenith_deg_ - sun_.zenith_deg) * kRadiansPerDegree;
+  const double to_horizon = 0.5 * (last_sun_deg_ - sun_.zenith_deg) * kRadiansPerDegree;
   return std::clamp(-std::sin(to_horizon) / std::sin(0.5 * angular_radius_deg_ * kRadiansPerDegree), -1.0,
                     1.0);
 }
@@ -142,7 +153,8 @@ std::vector<SunDisc::Node> SunDisc::quadrature(int order) const {
       const Place place{half_chord * std::sin(along.node[k]), std::sin(rows.node[row])};
       const double area =
           rows.weight[row] * along.weight[k] * half_chord * half_chord * std::cos(along.node[k]);
-      nodes.push_back({direction_of(place), place.mu(), area * solid_angle_sr_ / kPi});
+      const Direction sun = direction_of(place);
+      nodes.push_back({seen(sun), place.mu(), area * solid_angle_sr_ / kPi * concentration(sun.zenith_deg)});
     }
   return nodes;
 }
@@ -160,10 +172,28 @@ Direction SunDisc::direction_of(const Place& place) const {
           wrapped_azimuth_deg(sun_.azimuth_deg + std::atan2(to_right, along) * kDegreesPerRadian)};
 }
 
+Direction SunDisc::seen(const Direction& sun) const {
+  if (!bends_) return sun;
+  const Bracket between = held_bracket(true_deg_, sun.zenith_deg);
+  return {linear(zenith_deg_[between.below], zenith_deg_[between.above], between.part), sun.azimuth_deg};
+}
+
+double SunDisc::concentration(double sun_zenith_deg) const {
+  if (!bends_) return 1.0;
+  const Bracket between = held_bracket(true_deg_, sun_zenith_deg);
+  return linear(concentration_[between.below], concentration_[between.above], between.part);
+}
+
 double SunDisc::visible_mu(const Direction& direction) const {
   if (zenith_deg_.empty() || direction.zenith_deg > horizon_zenith_deg_) return -1.0;
-  const double r = std::sin(0.5 * angle_between(direction, sun_)) /
-                   std::sin(0.5 * angular_radius_deg_ * kRadiansPerDegree);
+  Direction sun = direction;
+  if (bends_) {
+    if (direction.zenith_deg < zenith_deg_.front() || direction.zenith_deg > zenith_deg_.back()) return -1.0;
+    const Bracket between = held_bracket(zenith_deg_, direction.zenith_deg);
+    sun.zenith_deg = linear(true_deg_[between.below], true_deg_[between.above], between.part);
+  }
+  const double r =
+      std::sin(0.5 * angle_between(sun, sun_)) / std::sin(0.5 * angular_radius_deg_ * kRadiansPerDegree);
   return r <= 1.0 ? Place{r, 0.0}.mu() : -1.0;
 }
 

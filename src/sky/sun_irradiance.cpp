@@ -17,6 +17,7 @@
 #include "skylut/sky/exact_sky.hpp"
 #include "skylut/sky/sky_irradiance.hpp"
 #include "skylut/transfer/direct_beam.hpp"
+#include "skylut/transfer/refraction.hpp"
 
 namespace skylut {
 
@@ -36,16 +37,25 @@ void check(const SkyScene& scene, const SunIrradianceOptions& options) {
 }
 
 void add_direct_beam(const SkyScene& scene, double aod500, SunIrradiance& result) {
-  const auto path =
-      beam_path_factors(scene.atmosphere->shells(), scene.altitudes_km[0], scene.suns[0].zenith_deg);
+  const double altitude_km = scene.altitudes_km[0];
+  const double sun_deg = scene.suns[0].zenith_deg;
+  const bool bends = !scene.atmosphere->shells().refractivity.empty();
+  std::optional<std::vector<double>> path =
+      beam_path_factors(scene.atmosphere->shells(), altitude_km, sun_deg);
+  double concentration = 1.0;
   result.beam_arrives = path.has_value();
   for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
+    if (bends) {
+      const Shells shells = scene.atmosphere->shells_at(scene.wavelengths[i]);
+      path = beam_path_factors(shells, altitude_km, sun_deg);
+      concentration = apparent_sun(shells, altitude_km, sun_deg).concentration;
+    }
     const std::vector<ConstituentExtinction> constituents =
         scene.atmosphere->extinctions({scene.wavelengths[i], scene.wavelengths.step_nm()}, aod500);
     if (i == 0)
       for (const ConstituentExtinction& constituent : constituents)
         result.transmittance.push_back({constituent.name, {}});
-    double product = 1.0;
+    double product = concentration;
     for (std::size_t k = 0; k < constituents.size(); ++k) {
       const double transmittance = path ? band_transmittance(constituents[k], *path) : 0.0;
       result.transmittance[k].band_mean.push_back(transmittance);
@@ -58,7 +68,7 @@ void add_direct_beam(const SkyScene& scene, double aod500, SunIrradiance& result
 void add_beam_on_plane(const SunIrradianceOptions& options, SunIrradiance& result) {
   result.plane = options.plane;
   if (!options.plane) return;
-  const double cosine = std::max(0.0, cos_incidence(*options.plane, result.sun));
+  const double cosine = std::max(0.0, cos_incidence(*options.plane, result.seen_sun));
   for (const double normal : result.direct_normal) result.plane_direct.push_back(cosine * normal);
 }
 
@@ -70,14 +80,13 @@ struct SkyIntegral {
 
 std::vector<SkyIntegral> integrals(const SkyScene& scene, const SunIrradianceOptions& options,
                                    SunIrradiance& result) {
-  const Direction& sun = scene.suns[0];
+  const Direction& sun = result.seen_sun;
   std::vector<SkyIntegral> list;
   if (options.circumsolar_half_angle_deg > 0.0)
     list.push_back({circumsolar_quadrature(sun.zenith_deg, options.circumsolar_half_angle_deg),
                     &result.circumsolar_normal});
   if (options.diffuse && options.plane) {
-    const double horizon_deg =
-        horizon_zenith_deg(scene.atmosphere->shells().planet_radius_km, scene.altitudes_km[0]);
+    const double horizon_deg = horizon_zenith_deg(scene.atmosphere->shells(), scene.altitudes_km[0]);
     list.push_back({plane_quadrature(*options.plane, PlanePart::sky, sun, horizon_deg), &result.plane_sky});
     list.push_back(
         {plane_quadrature(*options.plane, PlanePart::ground, sun, horizon_deg), &result.plane_ground});
@@ -108,7 +117,7 @@ void require_one_of_each(const SkyScene& scene) {
 }
 
 std::vector<double> SunIrradiance::global_horizontal() const {
-  const double cosine = std::max(0.0, std::cos(sun.zenith_deg * kRadiansPerDegree));
+  const double cosine = std::max(0.0, std::cos(seen_sun.zenith_deg * kRadiansPerDegree));
   std::vector<double> global = diffuse_horizontal;
   for (std::size_t i = 0; i < global.size(); ++i) global[i] += cosine * direct_normal[i];
   return global;
@@ -127,6 +136,9 @@ SunIrradiance simulate_sun(const Context& context, const SkyScene& scene, const 
   SunIrradiance result;
   result.wavelengths = scene.wavelengths;
   result.sun = scene.suns[0];
+  result.seen_sun = {
+      apparent_sun(scene.atmosphere->shells(), scene.altitudes_km[0], result.sun.zenith_deg).zenith_deg,
+      result.sun.azimuth_deg};
   result.luminous_weight = luminous_weights(context, scene.wavelengths);
   result.extraterrestrial = extraterrestrial_irradiance(context, scene);
   add_direct_beam(scene, aod500, result);

@@ -101,7 +101,7 @@ TransferCost estimate_cost(const Context& context, const Shells& shells,
   check_request(shells, columns, sights, options);
   const Work work(context, shells, columns, sights, options);
   return estimate(work, group_columns(work.merge, options.discretisation, columns),
-                  lines_of_sight(work.bands, sights));
+                  lines_of_sight(shells, work.bands, sights));
 }
 
 SkyRadiance solve_sky_radiance(const Context& context, const Shells& shells,
@@ -110,7 +110,7 @@ SkyRadiance solve_sky_radiance(const Context& context, const Shells& shells,
   check_request(shells, columns, sights, options);
   const Work work(context, shells, columns, sights, options);
   const std::vector<ColumnGroup> groups = group_columns(work.merge, options.discretisation, columns);
-  const std::vector<std::vector<LineOfSight>> lines = lines_of_sight(work.bands, sights);
+  const std::vector<std::vector<LineOfSight>> lines = lines_of_sight(shells, work.bands, sights);
   const TransferCost cost = estimate(work, groups, lines);
   refuse_too_much(work, cost);
   try {

@@ -57,7 +57,7 @@ struct SolvedColumns::Solution {
         groups(group_columns(work.merge, options.discretisation, columns)),
         bands(work.bands.size()) {
     for (const OpticalColumn& column : columns) scatterers = std::max(scatterers, column.scatterers.size());
-    TransferCost cost = estimate(work, groups, lines_of_sight(work.bands, sights));
+    TransferCost cost = estimate(work, groups, lines_of_sight(shells, work.bands, sights));
     cost.fields_bytes = std::max(cost.fields_bytes, cost.all_fields_bytes);  // all of them are kept
     refuse_too_much(work, cost);
     try {
@@ -113,6 +113,7 @@ struct SolvedColumns::Solution {
 
   /// The band that answers, and its line of sight.
   std::pair<const BandSolution*, LineOfSight> question(const SightLine& line) const {
+    check_place(shells, line.observer_altitude_km, 0.0);  // not from outside
     LineOfSight asked{line.observer_altitude_km, line.view_zenith_deg, {}, {}};
     for (const double azimuth_deg : line.relative_azimuth_deg) {
       check_sight({line.observer_altitude_km, line.sun_zenith_deg, {line.view_zenith_deg, azimuth_deg}},

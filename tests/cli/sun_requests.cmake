@@ -5,8 +5,8 @@ skylut_refuses(sun_output_folder_missing 2 "no such folder: missing" sun -o miss
 skylut_refuses(sun_output_full 1 "sun.csv: cannot write: No space left" sun -o sun.csv --sun-zenith-deg 45
   --wavelengths-nm 400:700:100 --no-diffuse LINK sun.csv=/dev/full)
 skylut_refuses(sun_zenith_181 2 "--sun-zenith-deg '181'.*0 to 180" sun --sun-zenith-deg 181)
-skylut_refuses(sun_at_night 2 "--sun-zenith-deg 97: the sun is 97.00 deg from the zenith: diffuse light ends at 96 deg .night.: use --no-diffuse" sun -o sun.csv
-  --sun-zenith-deg 97)
+skylut_refuses(sun_at_night 2 "--sun-zenith-deg 100: the sun is 100.00 deg from the zenith: diffuse light ends at 99 deg .night.: use --no-diffuse" sun -o sun.csv
+  --sun-zenith-deg 100)
 skylut_refuses(sun_altitude_31 2 "--altitude-km '31'.*0 to 30" sun --sun-zenith-deg 45 --altitude-km 31)
 skylut_refuses(sun_twice 2 "--time.*must not be given with --sun-zenith-deg" sun --sun-zenith-deg 45 --latitude 48
   --longitude 2 --time 2024-06-21T09:00Z)
@@ -74,3 +74,7 @@ skylut_prints(map_of_one_wavelength "wrote sky.csv" map -o sky.csv --sun-zenith-
   WARNS "luminance and colour count only 497.5-502.5 nm: 1.5 % of the eye's sensitivity")
 skylut_prints(sun_of_red_light "direct normal" sun --no-diffuse --sun-zenith-deg 30 --wavelengths-nm 600:780:5
   WARNS "luminance and colour count only 600-780 nm: 1[78] % of the eye's sensitivity")
+skylut_refuses(sun_refraction_and_not 2 "--refraction: must not be given with --no-refraction" sun --sun-zenith-deg 45
+  --refraction --no-refraction)
+skylut_refuses(sun_apparent_at_a_time 2 "--apparent: says what --sun-zenith-deg is, needs it" sun --apparent
+  --time 2024-06-21T12:00:00Z --latitude 48 --longitude 2)

@@ -26,7 +26,7 @@ skylut_refuses(table_visibility_beyond_clear_air 2 "visibility" table --out out
   --turbidity-kind visibility-km --turbidities 1000)
 skylut_refuses(table_turbidity_kind_unknown 2 "linke.*aod500" table --out out --turbidity-kind linke)
 
-skylut_refuses(table_sun_zenith_200 2 "--suns '200:0': zenith angle '200': must be a number within 0 to 96 deg" table --out out --suns 200:0)
+skylut_refuses(table_sun_zenith_200 2 "--suns '200:0': zenith angle '200': must be a number within 0 to 99 deg" table --out out --suns 200:0)
 skylut_refuses(table_sun_without_azimuth 2 "--suns '45': '45' must be ZENITH:AZIMUTH" table --out out --suns 45)
 skylut_refuses(table_sun_azimuth_4000 2 "--suns '45:4000': azimuth '4000'.*-3600 to 3600" table --out out --suns 45:4000)
 skylut_refuses(table_sun_word 2 "zenith angle 'high'" table --out out --suns high:0)

@@ -19,6 +19,10 @@ struct Context;
 class AerosolConstituent;
 class RayleighConstituent;
 
+/// One refractive index bends the light of all wavelengths, so that they share their geometry; that of others
+/// differs by +1.7 % (400 nm) to -1.1 % (780 nm). [docs/refraction.md §6]
+inline constexpr double kRefractionWavelength_nm = 550.0;
+
 /// What a profile leaves open.
 struct AtmosphereOptions {
   GroundAlbedo ground_albedo = 0.2;  ///< Lambertian, [0, 1]
@@ -33,6 +37,7 @@ struct AtmosphereOptions {
   double gravity_m_s2 = kStandardGravity_m_s2;
   double planet_radius_km = kMeanEarthRadius_km;  ///< of the ground, [1000, inf)
   AerosolOptics aerosol;
+  bool refraction = false;  ///< the shells bend light, by the profile's own air
 };
 
 /// Vertical optical depth of one constituent.
@@ -79,7 +84,10 @@ class Atmosphere {
 
   /// Levels from the ground to 100 km, 0.1 km apart at the ground, 20 km at the top, and the constituents'
   /// own boundaries.
+  /// With the option, they have the air's refractivity at kRefractionWavelength_nm.
   const Shells& shells() const { return shells_; }
+  /// The same with the refractivity at another wavelength, which is as dispersive as dry air.
+  Shells shells_at(double wavelength_nm) const;
 
   /// Layers of one wavelength and load, without the lines of oxygen and water vapour, which only a band can
   /// tell (band_columns).

@@ -23,6 +23,8 @@ struct AtmosphereDescription {
   /// Gives gravity, the planet's radius and the height of the ground; default: standard gravity, 6371 km, sea
   /// level.
   std::optional<Place> place;
+  /// Whether the air bends light, AtmosphereOptions.
+  bool refraction = false;
 };
 
 /// Loads what a description names and builds the atmosphere: the one door through which the program's

@@ -20,8 +20,8 @@ struct Range {
 namespace domain {
 
 inline constexpr Range kObserver_km{0.0, 30.0, "km"};  ///< altitude above the ground
-inline constexpr Range kSunZenith_deg{0.0, 96.0,
-                                      "deg"};  ///< with diffuse light: to the end of civil twilight
+/// With diffuse light: far into nautical twilight. At 99° the shadow over the zenith is 80 km high.
+inline constexpr Range kSunZenith_deg{0.0, 99.0, "deg"};
 inline constexpr Range kAnyZenith_deg{0.0, 180.0, "deg"};  ///< of a view, or of a sun without diffuse light
 inline constexpr Range kAzimuth_deg{-3600.0, 3600.0, "deg"};  ///< as typed: ten turns either way
 inline constexpr Range kFold_deg{0.0, 180.0, "deg"};          ///< an azimuth difference, folded

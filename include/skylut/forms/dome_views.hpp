@@ -20,7 +20,7 @@ double fit_weight(const DomeViews& dome, std::size_t view);
 /// Directions that leave little of a dome unseen: the zenith; points of a spiral of equal solid angles, on
 /// one side of the sun's vertical plane, whose lowest lies 0.1° above the horizon; and rings around the sun,
 /// where the spiral is too coarse, from 0.75° on.
-/// @param sun  zenith angle [0, 96]
+/// @param sun  zenith angle [0, 99]
 DomeViews fitting_views(const Direction& sun);
 
 /// Others, more than twice as many, from 0.5° around the sun on: none of them, but for the zenith, is one of

@@ -29,6 +29,8 @@ struct Shells {
   /// Layer boundaries above the ground, ascending, the first is 0, the last at most 10,000.
   std::vector<double> levels_km;
   double planet_radius_km = 6371.0;  ///< of the ground, [1000, 1e9]
+  /// Refractive index minus 1 at every level, [0, 1), the same for all columns; empty: light goes straight.
+  std::vector<double> refractivity = {};
 };
 
 }  // namespace skylut

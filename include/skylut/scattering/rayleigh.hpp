@@ -11,6 +11,13 @@ namespace skylut {
 /// @param carbon_dioxide_fraction  mole fraction, e.g. 360e-6
 double refractivity_peck_reeder1972(double wavelength_nm, double carbon_dioxide_fraction);
 
+/// Refractive index minus 1 of moist air by its molecules: dry air as above, water vapour after Ciddor 1996,
+/// doi:10.1364/AO.35.001566, each in proportion to its density. (The squares that the Lorentz-Lorenz rule
+/// adds are 1e-4 of it.) A molecule of water counts for 0.87 of one of air: 0.2 % less in the moistest air.
+/// @param air_per_m3, water_per_m3  molecules, water's among the air's; >= 0
+double refractivity_of_air(double wavelength_nm, double carbon_dioxide_fraction, double air_per_m3,
+                           double water_per_m3);
+
 /// King factor F of dry air, the constituents' (Bates 1984, doi:10.1016/0032-0633(84)90102-8) weighted by
 /// volume (Bodhaine eqs. 5-6, 23).
 double king_factor_bates1984(double wavelength_nm, double carbon_dioxide_fraction);

@@ -24,7 +24,7 @@ struct SunFrame {
 /// Suns one after the other, for a sequence of skies.
 struct SunSeries {
   std::vector<SunFrame> frames;
-  std::size_t too_dark = 0;  ///< suns more than 96° from the zenith (night), which have no frame
+  std::size_t too_dark = 0;  ///< suns more than 99° from the zenith (night), which have no frame
 };
 
 /// The sun over a place at each time, with its distance then.

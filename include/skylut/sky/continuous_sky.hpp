@@ -35,7 +35,7 @@ struct ContinuousSkyOptions {
 class ContinuousSky final : public SkyLight {
  public:
   /// @param altitude_km      of the observer, [0, 30]
-  /// @param sun              zenith angle [0, 96], close to one that the sky was solved for
+  /// @param sun              zenith angle [0, 99], close to one that the sky was solved for
   /// @param sun_distance_au  > 0
   /// @throws InputError  for values out of range
   /// @throws Cancelled   when the context asks to stop
@@ -63,6 +63,7 @@ class ContinuousSky final : public SkyLight {
 
   std::shared_ptr<const SolvedSky> solved_;
   Direction sun_;
+  double apparent_sun_deg_;  ///< zenith angle
   double horizon_zenith_deg_;
   double scale_;                   // by the sun's distance
   std::vector<SkyPatch> patches_;  // by ascending zenith angle

@@ -26,7 +26,7 @@ class DomeSky final : public SkyLight {
  public:
   /// Skies of one observer, [sun], which share what belongs to their lines of sight alone.
   /// @param altitude_km      of the observer, [0, 30]
-  /// @param sun_zeniths_deg  [0, 96], close to those that the sky was solved for; their azimuths are 0
+  /// @param sun_zeniths_deg  [0, 99], close to those that the sky was solved for; their azimuths are 0
   /// @param sun_distance_au  > 0
   /// @throws InputError  for values out of range
   /// @throws Cancelled   when the context asks to stop
@@ -57,7 +57,8 @@ class DomeSky final : public SkyLight {
 
   std::shared_ptr<const SolvedSky> solved_;
   ExactSky exact_;
-  double scale_;  // by the sun's distance
+  double scale_;        // by the sun's distance
+  Direction seen_sun_;  // apparent
   std::unique_ptr<SkyPatch> dome_;
   std::unique_ptr<SkyPatch> limb_;  // too coarse to be looked at but in the mean; none on the ground
 };

@@ -20,7 +20,7 @@ struct SkyScene {
   std::shared_ptr<const Atmosphere> atmosphere;  ///< never null
   std::vector<double> altitudes_km;              ///< of the observers, above the ground, [0, 30]
   std::vector<Turbidity> turbidities;
-  std::vector<Direction> suns;        ///< zenith angle [0, 96]
+  std::vector<Direction> suns;        ///< zenith angle [0, 99]
   std::vector<Direction> directions;  ///< where the observers look, zenith angle [0, 180]
   std::string directions_name;        ///< of that set, for the provenance; empty: none
   WavelengthGrid wavelengths = WavelengthGrid::visible();

@@ -28,8 +28,8 @@ struct SunDiscPoints {
 };
 
 /// The sun's disc as one observer sees it through the air: darkened towards the limb, weakened by the air
-/// more at its lower edge than at its upper one, cut by the geometric horizon. Rays are straight: no
-/// refraction lifts or flattens the disc. Light scattered around it is the sky's. Immutable; calls may run in
+/// more at its lower edge than at its upper one, cut by the horizon. Air with a refractivity lifts and
+/// flattens it, at all wavelengths alike. Light scattered around it is the sky's. Immutable; calls may run in
 /// parallel.
 ///
 /// The light from the whole disc, ∫ L dω, is the direct normal irradiance of simulate_sun, which takes the
@@ -44,13 +44,15 @@ class SunDisc {
   SunDisc(const Context& context, const SkyScene& scene);
 
   const WavelengthGrid& wavelengths() const { return wavelengths_; }
-  Direction sun() const { return sun_; }
+  Direction sun() const { return sun_; }  ///< true
   double angular_radius_deg() const { return angular_radius_deg_; }
 
   double solid_angle_sr() const { return solid_angle_sr_; }  ///< of the whole disc
 
   /// Solid angle of what stands above the horizon, sr; 0 where the ground hides all of it.
   double visible_solid_angle_sr() const { return visible_solid_angle_sr_; }
+  /// Part of the disc that stands above the horizon, [0, 1]: of the disc as it is, before it is flattened.
+  double visible_part() const { return visible_true_sr_ / solid_angle_sr_; }
 
   /// ∫ L dω over what is visible, W m⁻² nm⁻¹, per wavelength: irradiance normal to the beam. (The cosine
   /// between a ray of the disc and its centre is taken as 1; it is 0.99999 at the limb.)
@@ -80,7 +82,9 @@ class SunDisc {
                           double bottom_deg);
   std::vector<Node> quadrature(int order) const;
   double lowest_y() const;  ///< of what the horizon leaves, in radii above the centre
-  Direction direction_of(const Place& place) const;
+  Direction direction_of(const Place& place) const;  ///< true
+  Direction seen(const Direction& sun) const;        ///< apparent direction of a point of the disc
+  double concentration(double sun_zenith_deg) const;
   /// Radiance at μ, in the direction of that zenith angle, which is held at the horizon.
   void spectrum(double mu, double zenith_deg, std::span<double> radiance) const;
   Xyz to_colour(std::span<const double> spectrum) const;
@@ -91,12 +95,17 @@ class SunDisc {
   Direction sun_;
   double angular_radius_deg_;
   double solid_angle_sr_;
-  double horizon_zenith_deg_;
+  double horizon_zenith_deg_;  ///< apparent
+  double last_sun_deg_;        ///< true zenith angle of what stands on the horizon
+  bool bends_ = false;
   double visible_solid_angle_sr_ = 0.0;
+  double visible_true_sr_ = 0.0;             ///< the same without refraction's flattening
   std::vector<LimbDarkeningLaw> darkening_;  // per wavelength
   std::vector<double> mean_above_air_;       // mean radiance of the disc above the air, per wavelength
   std::vector<Xyz> colour_weight_;           // per wavelength
-  std::vector<double> zenith_deg_;           // of transmittance_, ascending; none: all is hidden
+  std::vector<double> zenith_deg_;           // of transmittance_, apparent, ascending; none: all is hidden
+  std::vector<double> true_deg_;             // the same, true; none: nothing bends
+  std::vector<double> concentration_;        // there
   std::vector<double> transmittance_;        // [zenith angle][wavelength]
   std::vector<double> direct_normal_;        // per wavelength
 };

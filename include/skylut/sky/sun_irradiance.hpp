@@ -20,7 +20,7 @@ struct TiltedPlane {
 
 /// What is asked beside the direct beam.
 struct SunIrradianceOptions {
-  bool diffuse = true;  ///< also the diffuse irradiance: needs the sun within 96° of the zenith
+  bool diffuse = true;  ///< also the diffuse irradiance: needs the sun within 99° of the zenith
   double circumsolar_half_angle_deg =
       0.0;  ///< also the diffuse light within this angle of the sun, [0, 10]; 0: not
   std::optional<TiltedPlane> plane = std::nullopt;  ///< also the irradiance on it
@@ -37,7 +37,8 @@ struct ConstituentTransmittance {
 /// value per wavelength, or none for what was not asked.
 struct SunIrradiance {
   WavelengthGrid wavelengths = WavelengthGrid::visible();
-  Direction sun;
+  Direction sun;                           ///< true
+  Direction seen_sun;                      ///< apparent, where its beam comes from; true if nothing refracts
   bool beam_arrives = false;               ///< false where the ground hides the sun
   std::vector<double> extraterrestrial;    ///< normal to the beam, above the air
   std::vector<double> direct_normal;       ///< normal to the beam, without scattered light
@@ -59,9 +60,10 @@ struct SunIrradiance {
 };
 
 /// Irradiance of the sun and the sky at one observer. The direct beam crosses the spherical layers on a
-/// straight path; each constituent transmits Σ weight exp(-Σ depth · path), and their transmittances
-/// multiply. Diffuse light is the solver's radiance, integrated over the sky. [docs/air.md, "Direct beam"]
-/// @param scene  with one altitude, one turbidity and one sun (zenith angle 0-180; 0-96 with diffuse light);
+/// straight path, or one that air with a refractivity bends as much as it does at every wavelength; each
+/// constituent transmits Σ weight exp(-Σ depth · path), and their transmittances multiply. Diffuse light is
+/// the solver's radiance, integrated over the sky. [docs/air.md, "Direct beam"]
+/// @param scene  with one altitude, one turbidity and one sun (zenith angle 0-180; 0-99 with diffuse light);
 /// its
 ///               directions are not used
 /// @throws InputError  for values outside the ranges (never clamped)

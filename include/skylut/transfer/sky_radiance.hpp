@@ -15,8 +15,8 @@ struct Context;
 
 /// One thing to see: where from, under which sun, in which direction.
 struct Sight {
-  double observer_altitude_km = 0.0;  ///< above the ground, in [0, top level]
-  double sun_zenith_deg = 0.0;        ///< at the observer's vertical, in [0, 96]
+  double observer_altitude_km = 0.0;  ///< above the ground, in [0, 1e6]; above the top level: from outside
+  double sun_zenith_deg = 0.0;        ///< at the observer's vertical, in [0, 99]; from outside [0, 180]
   RelativeView view;                  ///< direction the observer LOOKS
 };
 

@@ -15,7 +15,7 @@ struct Context;
 struct SightLine {
   double observer_altitude_km = 0.0;             ///< above the ground, in [0, top level]
   double view_zenith_deg = 0.0;                  ///< [0, 180]
-  double sun_zenith_deg = 0.0;                   ///< [0, 96]
+  double sun_zenith_deg = 0.0;                   ///< [0, 99]
   std::span<const double> relative_azimuth_deg;  ///< [0, 180], 0 = towards the sun
 };
 
@@ -24,7 +24,7 @@ struct SightLine {
 struct SightFan {
   double observer_altitude_km = 0.0;             ///< above the ground, in [0, top level]
   double view_zenith_deg = 0.0;                  ///< [0, 180]
-  std::span<const double> sun_zenith_deg;        ///< [0, 96]
+  std::span<const double> sun_zenith_deg;        ///< [0, 99]
   std::span<const double> relative_azimuth_deg;  ///< [0, 180], 0 = towards the sun
 };
 
@@ -41,7 +41,7 @@ struct SightFan {
 /// Immutable once built; its functions may be called by several threads.
 class SolvedColumns {
  public:
-  /// @param sun_zeniths_deg  that will be asked for, each with its neighbours (sun bands); [0, 96]
+  /// @param sun_zeniths_deg  that will be asked for, each with its neighbours (sun bands); [0, 99]
   /// @throws  as solve_sky_radiance; InputError also if the fields of all columns do not fit the memory
   SolvedColumns(const Context& context, Shells shells, std::vector<OpticalColumn> columns,
                 std::span<const double> sun_zeniths_deg, const TransferOptions& options);

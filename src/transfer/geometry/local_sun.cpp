@@ -7,15 +7,16 @@
 
 namespace skylut::transfer {
 
-LocalSun::LocalSun(double planet_radius_km, const RayPoint& start, std::span<const SunAzimuth> pairs,
-                   const CubicInterpolation& suns, int azimuthal_orders)
-    : planet_km_(planet_radius_km), suns_(&suns), azimuthal_orders_(azimuthal_orders) {
+LocalSun::LocalSun(double planet_radius_km, const RayPoint& start, bool bends,
+                   std::span<const SunAzimuth> pairs, const CubicInterpolation& suns, int azimuthal_orders)
+    : planet_km_(planet_radius_km), bends_(bends), suns_(&suns), azimuthal_orders_(azimuthal_orders) {
   const double sin_view = std::sqrt(std::max(0.0, 1.0 - start.cos_view * start.cos_view));
   for (const SunAzimuth& pair : pairs) {
     const double sun = pair.sun_zenith_deg * kRadiansPerDegree;
     const double cos_azimuth = std::cos(pair.relative_azimuth_deg * kRadiansPerDegree);
     pairs_.push_back({(planet_km_ + start.altitude_km) * std::cos(sun),
-                      start.cos_view * std::cos(sun) + sin_view * std::sin(sun) * cos_azimuth, cos_azimuth});
+                      start.cos_view * std::cos(sun) + sin_view * std::sin(sun) * cos_azimuth, cos_azimuth,
+                      std::cos(sun), std::sin(sun) * cos_azimuth});
   }
 }
 
@@ -25,6 +26,19 @@ const LocalSun::Point& LocalSun::at(const RayPoint& point) {
   return found->second;
 }
 
+LocalSun::Cosines LocalSun::cosines_at(const RayPoint& point, const AtStart& pair) const {
+  if (!bends_) {
+    const double inverse_radius = 1.0 / (planet_km_ + point.altitude_km);
+    return {(pair.along_sun_km + point.distance_km * pair.cos_scattering) * inverse_radius,
+            pair.cos_scattering};
+  }
+  // In the plane of the line its vertical has turned by φ, its direction by φ + ψ.
+  const double turned = point.turned_rad;
+  const double direction = turned + std::acos(std::clamp(point.cos_view, -1.0, 1.0));
+  return {std::cos(turned) * pair.cos_sun + std::sin(turned) * pair.sun_towards_view,
+          std::cos(direction) * pair.cos_sun + std::sin(direction) * pair.sun_towards_view};
+}
+
 LocalSun::Point LocalSun::locate(const RayPoint& point) const {
   Point local;
   local.sun_weights.reserve(pairs_.size());
@@ -32,18 +46,17 @@ LocalSun::Point LocalSun::locate(const RayPoint& point) const {
   local.azimuth_sine.resize(local.azimuth_factor.size());
   float* factor = local.azimuth_factor.data();
   float* sine = local.azimuth_sine.data();
-  const double inverse_radius = 1.0 / (planet_km_ + point.altitude_km);
   const double local_sin_view = std::sqrt(std::max(0.0, 1.0 - point.cos_view * point.cos_view));
   for (const AtStart& pair : pairs_) {
-    const double cos_sun =
-        std::clamp((pair.along_sun_km + point.distance_km * pair.cos_scattering) * inverse_radius, -1.0, 1.0);
+    const Cosines local_cosines = cosines_at(point, pair);
+    const double cos_sun = std::clamp(local_cosines.sun, -1.0, 1.0);
     local.sun_weights.push_back((*suns_)(std::acos(cos_sun) * kDegreesPerRadian));
 
     // Azimuth of the light (it travels against the view) from that of the sunbeam, which equals the
     // azimuth of the view from that of the sun.
     const double sines = std::sqrt(1.0 - cos_sun * cos_sun) * local_sin_view;
     const double cosine =
-        sines > 1e-12 ? std::clamp((pair.cos_scattering - cos_sun * point.cos_view) / sines, -1.0, 1.0)
+        sines > 1e-12 ? std::clamp((local_cosines.scattering - cos_sun * point.cos_view) / sines, -1.0, 1.0)
                       : pair.cos_azimuth;
     double previous = 1.0;
     double current = cosine;

@@ -20,9 +20,10 @@ struct SunAzimuth {
 /// [theory.md §4.6, G10-G11]
 class LocalSun {
  public:
+  /// @param bends   points of a bent line: their turned_rad counts instead of their distance
   /// @param suns    interpolation among the sun nodes, by zenith angle in degrees; must outlive this object
   /// @param azimuthal_orders  wanted, at least 2
-  LocalSun(double planet_radius_km, const RayPoint& start, std::span<const SunAzimuth> pairs,
+  LocalSun(double planet_radius_km, const RayPoint& start, bool bends, std::span<const SunAzimuth> pairs,
            const CubicInterpolation& suns, int azimuthal_orders);
 
   struct Point {
@@ -40,10 +41,19 @@ class LocalSun {
     double along_sun_km;
     double cos_scattering;
     double cos_azimuth;
+    double cos_sun;
+    double sun_towards_view;  // sin of the sun's zenith angle, times cos_azimuth
   };
   Point locate(const RayPoint& point) const;
+  /// Of the sun's direction with the point's vertical and with the local direction of view.
+  struct Cosines {
+    double sun;
+    double scattering;
+  };
+  Cosines cosines_at(const RayPoint& point, const AtStart& pair) const;
 
   double planet_km_;
+  bool bends_;
   const CubicInterpolation* suns_;
   int azimuthal_orders_;
   std::vector<AtStart> pairs_;

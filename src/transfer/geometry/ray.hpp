@@ -19,12 +19,16 @@ struct RaySpace {
   const CubicInterpolation& sun_interpolation;  ///< among the sun nodes of the diffuse field
   double ray_step_km;                           ///< as in DiscretisationOptions
   double sunbeam_step_km;
+  const RefractiveShells* refractive = nullptr;  ///< that bend the lines; null: they are straight
+
+  /// A line of sight that stops at these levels; bent ones need all of the layers' among them.
+  RayTrace trace(const ShellGeometry& levels, double observer_km, double cos_view) const;
 };
 
 /// A line of sight, for all suns and azimuths under which it is wanted: the layers it crosses and its length
 /// in each, the parts that each sun reaches, where the suns stand in the local frame of its points, and its
 /// end. All that single scattering, the diffuse field's source and the ground ask of it, the same for all
-/// columns. Straight; a bent one would differ in here alone. [theory.md §4.6, G9-G13]
+/// columns. Straight, or bent by refraction. [theory.md §4.6, G9-G13; docs/refraction.md §4]
 class Ray {
  public:
   /// @param azimuthal_orders  that the local suns are wanted in, at least 2
@@ -37,7 +41,8 @@ class Ray {
   double cos_view() const { return start_.cos_view; }
   bool hits_ground() const { return hits_ground_; }
 
-  /// Cosine of the scattering angle, which is constant along a straight ray. [pair]
+  /// Cosine of the scattering angle, which is constant along a straight ray; along a bent one taken as the
+  /// angle between view and sun as they appear to the observer. [pair]
   const std::vector<double>& cos_scattering() const { return cos_scattering_; }
   /// Place of a pair among those in the aureole, where forward peaks are felt; -1: too far from the sun.
   /// [pair]

@@ -18,6 +18,7 @@ struct SlantDepthWeights {
   std::int32_t from_perigee = -1;
   std::int32_t layer = 0;    ///< of the medium, that holds the point
   float to_level_km = 0.0f;  ///< way from the point, upwards along the sunbeam's line, to the next level
+  float spread = 0.0f;  ///< what refraction's spreading of the beam adds to the depth: -ln(concentration)
   float from_level_weight[4] = {};
   float from_perigee_weight[4] = {};
 };

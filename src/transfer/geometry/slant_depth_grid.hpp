@@ -1,49 +1,71 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "ray_view.hpp"
 #include "shell_geometry.hpp"
+#include "sun_refraction.hpp"
+#include "sunbeam_nodes.hpp"
 
 namespace skylut::transfer {
 
 /// Where the optical depth towards the sun is tabulated, so that a point costs a few multiplications
-/// instead of a sum over all layers. [theory.md §4.6, B1-B4]
-///
-/// A sunbeam's line through a point X is known by X's altitude h and s = X·S, the point's height in the
-/// direction S of the sun. Upwards (s >= 0) the depth is tabulated at every level against w, the s of the
-/// line where it crosses that level: every path is √(w² + r_j² - r_k²), smooth in x = w/(w + w0). A point
-/// inside a layer adds its way to the level above. A sunbeam that comes from below (s < 0) has crossed the
-/// whole line through its lowest point less the part above X: half-lines from every lowest altitude p are
-/// tabulated within each layer against u = √((h_top - p)/(h_top - h_bottom)), in which the square root
-/// with which a path begins at a layer's boundary is a straight line.
+/// instead of a sum over all layers: at SunbeamNodes. Bent sunbeams are straight among optical shells; the
+/// weights of a point then carry how much the air spreads the light, too. [theory.md §4.6, B1-B4;
+/// docs/refraction.md §3]
 class SlantDepthGrid {
  public:
+  /// @param layers  must outlive this object
   explicit SlantDepthGrid(const ShellGeometry& layers);
+  explicit SlantDepthGrid(const RefractiveShells& shells);
 
-  /// Interpolation of the depth from a point to the sun. The sun must reach the point.
+  /// The sunbeam that reaches a point. The sun must reach the point.
   /// @param altitude_km    of the point, 0 to the top
   /// @param along_sun_km  s = (R + h) cos(local solar zenith angle)
-  SlantDepthWeights weights(double altitude_km, double along_sun_km) const;
+  Sunbeam sunbeam(double altitude_km, double along_sun_km) const;
+
+  /// Interpolation of the depth from a point to the sun.
+  SlantDepthWeights weights(const Sunbeam& sunbeam) const;
+  SlantDepthWeights weights(double altitude_km, double along_sun_km) const {
+    return weights(sunbeam(altitude_km, along_sun_km));
+  }
 
   /// The same for a direction: the sun at a local zenith angle. Not lit in the planet's shadow.
   SlantDepthWeights weights_towards(double altitude_km, double cos_sun_zenith) const;
 
-  /// Lowest altitude of the sunbeam's line through a point; at most the point's own.
-  double perigee_km(double altitude_km, double along_sun_km) const;
+  /// Cosine of the apparent sun's local zenith angle (SunRefraction::apparent_sun_rad).
+  double cos_apparent_sun(double altitude_km, double cos_sun_zenith) const;
+  /// The same angle in degrees; straight beams: as it was given.
+  double apparent_sun_deg(double altitude_km, double sun_zenith_deg) const;
+  /// Whether the ground does not hide the sun.
+  bool is_lit(double altitude_km, double along_sun_km) const;
+
+  /// Lowest altitude of the sunbeam's line; at most the point's own.
+  double perigee_km(const Sunbeam& sunbeam) const {
+    return nodes_.perigee_km(sunbeam.altitude_km, sunbeam.along_sun_km);
+  }
+  double perigee_km(double altitude_km, double along_sun_km) const {
+    return perigee_km(sunbeam(altitude_km, along_sun_km));
+  }
+
+  /// Of bent sunbeams; none: they are straight.
+  const SunRefraction* refraction() const { return refraction_.get(); }
 
   SlantDepthView view() const;
 
   /// Entries of both tables, each of them a path through every layer.
-  static double points(double layers);
+  static double points(double layers) { return SunbeamNodes::count(layers); }
 
  private:
-  std::vector<float> path_to_sun(double altitude_km, double cos_zenith, double scale) const;
+  void fill();
+  void add_path(const SunbeamNodes::Node& node, std::vector<float>& to) const;
 
-  const ShellGeometry* layers_;
-  double scale_km_;  // w0
-  double last_x_;
-  std::vector<float> from_level_path_km_;    // [level][node][layer], times w + w0
+  SunbeamNodes nodes_;
+  std::vector<double> stretch_;  // length over that among the nodes' shells [layer]; empty: 1
+  std::unique_ptr<const SunRefraction> refraction_;
+  double planet_km_;
+  std::vector<float> from_level_path_km_;    // [level][node][layer], scaled
   std::vector<float> from_perigee_path_km_;  // [layer][node][layer]
 };
 

@@ -68,7 +68,7 @@ void solve_field(const Context& context, const Work& work, Block& block) {
       .scattering_orders = work.options.scattering_orders,
       .max_iterations = kMostIterations,
       .tolerance = static_cast<float>(work.options.discretisation.tolerance *
-                                      (work.bands.size() > 1 ? kBandTolerance : 1.0)),
+                                      (work.options.discretisation.sun_bands ? kBandTolerance : 1.0)),
       .cancelled =
           [](const void* token) { return static_cast<const std::stop_token*>(token)->stop_requested(); },
       .token = &context.cancel};
@@ -97,7 +97,8 @@ void answer_line_of_sight(const CommonGrid& common, const LineOfSight& line, std
   std::vector<float> rotation;
   for (const SunAzimuth& pair : line.pairs) {
     const ScatteringRotation of_pair =
-        scattering_rotation(line.view_zenith_deg, pair.relative_azimuth_deg, pair.sun_zenith_deg);
+        scattering_rotation(line.view_zenith_deg, pair.relative_azimuth_deg,
+                            common.slant_depth.apparent_sun_deg(line.observer_km, pair.sun_zenith_deg));
     rotation.push_back(static_cast<float>(of_pair.q));
     rotation.push_back(static_cast<float>(of_pair.u));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "../geometry/ray.hpp"
@@ -13,6 +14,9 @@ namespace skylut::transfer {
 /// DiscretisationOptions.
 std::vector<double> sun_nodes(int density);
 
+/// Those of suns beyond 96°, which shine on the highest air alone.
+std::vector<double> deep_twilight_nodes(int density);
+
 /// What all columns share under a band of suns: the layers, and the suns among which the field is
 /// interpolated.
 struct CommonGrid {
@@ -25,14 +29,19 @@ struct CommonGrid {
   CommonGrid& operator=(const CommonGrid&) = delete;
 
   RaySpace ray_space() const {
-    return {layers, slant_depth, sun_interpolation, discretisation.ray_step_km,
-            discretisation.sunbeam_step_km};
+    return {layers,
+            slant_depth,
+            sun_interpolation,
+            discretisation.ray_step_km,
+            discretisation.sunbeam_step_km,
+            refractive.get()};
   }
 
   DiscretisationOptions discretisation;
-  Shells shells;         ///< the layers, homogeneous
-  ShellGeometry layers;  ///< the same
-  LayerMerge merge;      ///< the sweep's layers, merged
+  Shells shells;                                       ///< the layers, homogeneous
+  ShellGeometry layers;                                ///< the same
+  std::unique_ptr<const RefractiveShells> refractive;  ///< the same, where they bend light; or none
+  LayerMerge merge;                                    ///< the sweep's layers, merged
   SlantDepthGrid slant_depth;
   std::vector<double> sun_nodes_deg;     ///< local solar zenith angles that carry the diffuse field
   CubicInterpolation sun_interpolation;  ///< among them

@@ -18,8 +18,9 @@ struct LineOfSight {
   std::vector<std::size_t> sights;  ///< [pair]: index into the request
 };
 
-/// The lines of sight of every band.
-std::vector<std::vector<LineOfSight>> lines_of_sight(std::span<const SunBand> bands,
+/// The lines of sight of every band. Those of observers above the air begin where they enter it; what misses
+/// the air has none, and is black.
+std::vector<std::vector<LineOfSight>> lines_of_sight(const Shells& shells, std::span<const SunBand> bands,
                                                      std::span<const Sight> sights);
 
 }  // namespace skylut::transfer

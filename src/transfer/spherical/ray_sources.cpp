@@ -10,8 +10,7 @@ namespace skylut::transfer {
 
 RaySources::RaySources(const Discretisation& grid, Ray& ray, bool stokes)
     : azimuth_stride_(ray.azimuthal_orders()) {
-  const RayTrace trace(grid.ray_levels, grid.common.discretisation.ray_step_km, ray.observer_km(),
-                       ray.cos_view());
+  const RayTrace trace = grid.common.ray_space().trace(grid.ray_levels, ray.observer_km(), ray.cos_view());
   add_pieces(grid, trace.points);
   for (const RayPoint& point : source_at_) {
     for (int m = 0; m < grid.angles.azimuthal_orders(); ++m)

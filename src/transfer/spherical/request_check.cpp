@@ -12,6 +12,9 @@ namespace {
 /// Delta-M asks for moments up to here; beyond they only have to be there.
 constexpr int kCheckedMoments = (4 * (kMostLegendreDegree + 1) + 2) / 3;
 
+/// Inside the air or outside.
+constexpr Range kAnyObserver_km{0.0, 1e6, "km"};
+
 void check_phase_function(const Scatterer& scatterer) {
   if (!scatterer.phase) throw InputError("scatterer: must have a phase function");
   for (int l = 0; l <= kCheckedMoments; ++l)
@@ -58,10 +61,21 @@ void check_shells(const Shells& shells) {
   require_within("planet_radius_km", shells.planet_radius_km, domain::kPlanetRadius_km);
 }
 
+void check_place(const Shells& shells, double altitude_km, double sun_zenith_deg) {
+  check_shells(shells);
+  if (!(altitude_km >= 0.0 && altitude_km <= shells.levels_km.back()))
+    throw InputError("observer altitude {} km: must lie within the layers, 0-{} km", altitude_km,
+                     shells.levels_km.back());
+  if (!(sun_zenith_deg >= 0.0 && sun_zenith_deg <= 180.0))
+    throw InputError("sun zenith {} deg: must lie within 0-180", sun_zenith_deg);
+}
+
 void check_sight(const Sight& sight, double top_km) {
-  if (const double altitude = sight.observer_altitude_km; !(altitude >= 0.0 && altitude <= top_km))
-    throw InputError("observer altitude {} km: must lie within the layers, 0-{} km", altitude, top_km);
-  require_within("sun zenith", sight.sun_zenith_deg, domain::kSunZenith_deg);
+  require_within("observer altitude", sight.observer_altitude_km, kAnyObserver_km);
+  // The sun of an observer outside says little of the sun over the air that he sees.
+  const bool outside = sight.observer_altitude_km > top_km;
+  require_within("sun zenith", sight.sun_zenith_deg,
+                 outside ? domain::kAnyZenith_deg : domain::kSunZenith_deg);
   const RelativeView& view = sight.view;
   if (!(view.zenith_deg >= 0.0 && view.zenith_deg <= 180.0 && view.relative_azimuth_deg >= 0.0 &&
         view.relative_azimuth_deg <= 180.0))

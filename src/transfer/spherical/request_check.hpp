@@ -9,6 +9,9 @@ namespace skylut::transfer {
 /// @throws InputError naming the first level or radius that is out of range
 void check_shells(const Shells& shells);
 
+/// @throws InputError  also for an observer outside the layers, or a zenith angle outside 0-180
+void check_place(const Shells& shells, double altitude_km, double sun_zenith_deg);
+
 /// @param layers  of the shells
 /// @throws InputError naming the first value of the column that is out of range or no number
 void check_column(const OpticalColumn& column, std::size_t layers);

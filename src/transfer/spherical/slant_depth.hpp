@@ -13,8 +13,11 @@ template <class V>
 class SlantDepthToSun {
  public:
   /// @param extinction_per_km  [layer][lane] of the medium; must outlive this object
-  SlantDepthToSun(const SlantDepthView& grid, const float* extinction_per_km)
+  /// @param spreads            whether the beam's spreading by refraction counts as depth, as it does for its
+  ///                           light, not for what it has met
+  SlantDepthToSun(const SlantDepthView& grid, const float* extinction_per_km, bool spreads = true)
       : extinction_per_km_(extinction_per_km),
+        spread_(spreads ? 1.0f : 0.0f),
         from_level_(static_cast<std::size_t>(grid.level_points)),
         from_perigee_(static_cast<std::size_t>(grid.perigee_points)) {
     fill(from_level_, grid.from_level_path_km, grid.layers);
@@ -25,11 +28,11 @@ class SlantDepthToSun {
     const V* from_level = from_level_.data() + weights.from_level;
     V depth = load<V>(extinction_per_km_ + weights.layer * kLaneCount<V>) * weights.to_level_km;
     for (int t = 0; t < 4; ++t) depth += from_level[t] * weights.from_level_weight[t];
-    if (weights.from_perigee < 0) return depth;
+    if (weights.from_perigee < 0) return depth + spread_ * weights.spread;
     const V* from_perigee = from_perigee_.data() + weights.from_perigee;
     V whole{};
     for (int t = 0; t < 4; ++t) whole += from_perigee[t] * weights.from_perigee_weight[t];
-    return lane_max(whole - depth, V{});
+    return lane_max(whole - depth, V{}) + spread_ * weights.spread;
   }
 
  private:
@@ -43,6 +46,7 @@ class SlantDepthToSun {
   }
 
   const float* extinction_per_km_;
+  float spread_;
   LaneArray<V> from_level_;
   LaneArray<V> from_perigee_;
 };

@@ -15,7 +15,7 @@ class SolvedLanes final : public SolvedBlock {
   SolvedLanes(const SweepView& grid, const OpticsView& optics, SlantDepthToSun<V>&& slant_depth, Field& field)
       : optics_(optics),
         slant_depth_(static_cast<SlantDepthToSun<V>&&>(slant_depth)),
-        slant_peak_depth_(grid.slant_depth, optics.peak_per_km),
+        slant_peak_depth_(grid.slant_depth, optics.peak_per_km, false),
         solution_{grid, field.take_moments(), field.take_polarised_moments(), field.take_ground_irradiance(),
                   HorizonDeficit<V>(grid, optics, field.horizon_light())} {}
 

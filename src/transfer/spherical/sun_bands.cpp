@@ -1,6 +1,7 @@
 #include "sun_bands.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "common_grid.hpp"
 #include "skylut/core/check.hpp"
@@ -17,8 +18,9 @@ struct Band {
   double last_deg;
   double margin_deg;
 };
+constexpr double kDeepTwilight_deg = 96.0;
 constexpr Band kBands[] = {{25.0, 1.0}, {52.0, 1.0}, {72.0, 1.0}, {82.0, 2.0},
-                           {87.5, 3.5}, {91.0, 3.0}, {94.0, 6.0}, {domain::kSunZenith_deg.highest, 7.0}};
+                           {87.5, 3.5}, {91.0, 3.0}, {94.0, 6.0}, {kDeepTwilight_deg, 7.0}};
 /// And as many nodes more as interpolation reaches to.
 constexpr std::ptrdiff_t kNodesBelow = 1;
 constexpr std::ptrdiff_t kNodesAbove = 2;
@@ -27,7 +29,13 @@ constexpr std::ptrdiff_t kNodesAbove = 2;
 
 std::vector<SunBand> sun_bands(const DiscretisationOptions& options) {
   const std::vector<double> all = sun_nodes(options.sun_node_density);
-  if (!options.sun_bands) return {{domain::kSunZenith_deg.highest, all}};
+  // Deep twilight shares no fields with what is lighter: its nodes are its own.
+  const SunBand deep{domain::kSunZenith_deg.highest, deep_twilight_nodes(options.sun_node_density)};
+  SunBand outside{domain::kAnyZenith_deg.highest, all};
+  while (outside.nodes_deg.back() > kDeepTwilight_deg) outside.nodes_deg.pop_back();
+  std::copy_if(deep.nodes_deg.begin(), deep.nodes_deg.end(), std::back_inserter(outside.nodes_deg),
+               [](double node) { return node > kDeepTwilight_deg; });
+  if (!options.sun_bands) return {{kDeepTwilight_deg, all}, deep, outside};
   std::vector<SunBand> bands;
   double first_deg = 0.0;
   for (const auto& [last_deg, margin_deg] : kBands) {
@@ -38,6 +46,8 @@ std::vector<SunBand> sun_bands(const DiscretisationOptions& options) {
          {begin - std::min(kNodesBelow, begin - all.begin()), end + std::min(kNodesAbove, all.end() - end)}});
     first_deg = last_deg;
   }
+  bands.push_back(deep);
+  bands.push_back(outside);
   return bands;
 }
 

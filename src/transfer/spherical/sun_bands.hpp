@@ -17,10 +17,12 @@ struct SunBand {
   std::vector<double> nodes_deg;  ///< ascending
 };
 
-/// All bands by zenith angle, ascending; one that holds every node unless the options ask for bands.
+/// All bands by zenith angle, ascending; one that holds every node unless the options ask for bands. Then one
+/// of deep twilight, and last one for lines of sight that enter the air from outside: they cross it from side
+/// to side, 20° of suns on Earth, and need all nodes.
 std::vector<SunBand> sun_bands(const DiscretisationOptions& options);
 
-/// The band of a sun. @param sun_zenith_deg  [0, 96]
+/// The band of a sun. @param sun_zenith_deg  [0, 99]
 std::size_t band_of(std::span<const SunBand> bands, double sun_zenith_deg);
 
 }  // namespace skylut::transfer

@@ -25,7 +25,7 @@ SweepTables::SweepTables(const Discretisation& grid) {
   }
   for (const double node_deg : grid.common.sun_nodes_deg) {
     const double cosine = std::cos(node_deg * kRadiansPerDegree);
-    sun_cosine_.push_back(static_cast<float>(cosine));
+    sun_cosine_.push_back(static_cast<float>(grid.common.slant_depth.cos_apparent_sun(0.0, cosine)));
     for (int m = 0; m < angles.azimuthal_orders(); ++m)
       for (const double value : normalised_legendre(m, angles.resolution().max_l, -cosine))
         beam_moment_.push_back(static_cast<float>(value / (4.0 * kPi)));

@@ -34,7 +34,7 @@ TEST(Azimuth, IsBroughtToOneTurn) {
 
 TEST(Suns, AreReadAndWritten) {
   EXPECT_EQ(again(suns(), "90:-90, 45 : 450,0:0"), "90:270,45:90,0:0");
-  EXPECT_EQ(refusal(suns(), "97:0"), "zenith angle '97': must be a number within 0 to 96 deg");
+  EXPECT_EQ(refusal(suns(), "100:0"), "zenith angle '100': must be a number within 0 to 99 deg");
   EXPECT_EQ(refusal(suns(), "45"), "'45' must be ZENITH:AZIMUTH in degrees, for example 45:90");
   EXPECT_NE(refusal(suns(), "45:90,"), "read");
   EXPECT_NE(refusal(suns(), "45:90:0"), "read");
