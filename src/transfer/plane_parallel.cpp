@@ -28,9 +28,13 @@ constexpr int kMostStreams = 128;
 constexpr int kMostStreamsManyLayers = 96;
 constexpr int kMostStreamsOneMode = 400;
 constexpr std::size_t kManyLayers = 12;
+/// Q and U of coarse particles, which delta-M corrects less well, in a layer or two: half a minute.
+constexpr int kMostStreamsPolarised = 240;
+constexpr std::size_t kFewLayers = 2;
 
-int most_streams(const OpticalColumn& column, bool one_mode) {
+int most_streams(const OpticalColumn& column, bool one_mode, bool polarised) {
   if (one_mode) return kMostStreamsOneMode;
+  if (polarised && column.extinction_depth.size() <= kFewLayers) return kMostStreamsPolarised;
   return column.extinction_depth.size() > kManyLayers ? kMostStreamsManyLayers : kMostStreams;
 }
 
@@ -174,7 +178,7 @@ PlaneParallelResult solve(const OpticalColumn& column, const PlaneParallelReques
   PlaneParallelResult result;
   const bool one_mode = most_modes(request) == 1;
   result.streams =
-      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, one_mode));
+      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, one_mode, request.polarised));
   const ScaledMedium medium = scale_medium(column, request.output_depths, result.streams, request.polarised);
   refuse_too_much(medium, request);
   const auto parts = parts_of(request.directions, views_at_a_time(medium, request));

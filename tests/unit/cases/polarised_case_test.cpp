@@ -165,11 +165,5 @@ TEST(PolarisedCase, RefusesWrongMatrices) {
       {"beta1", "1 moments", "2"});
 }
 
-TEST(PolarisedCase, SphericalShellsSayThatTheyCannot) {
-  Json document = own_case("sph_B_sza60_alt00");
-  document["polarised"] = true;
-  EXPECT_THROW(solved(document), WorkError);
-}
-
 }  // namespace
 }  // namespace skylut

@@ -260,9 +260,6 @@ TEST(SolveCase, RefusesWrongPlaneCases) {
 }
 
 TEST(SolveCase, SaysWhatItCannotDo) {
-  expect_refused<WorkError>(
-      "sph_B_sza60_alt00",
-      {"polarised", [](Json& c) { c["polarised"] = true; }, {"polarised", "--method monte-carlo"}});
   SolveOptions monte_carlo;
   monte_carlo.method = SolveMethod::monte_carlo;
   expect_refused<WorkError>(
