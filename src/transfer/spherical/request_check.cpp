@@ -24,13 +24,16 @@ void check_phase_function(const Scatterer& scatterer) {
       throw InputError("Legendre moment {} of a phase function, {}: must lie within -1 to 1", l, moment);
 }
 
-/// The largest share of a layer's scattering, among those that matter, that lies in forward peaks which that
-/// many degrees cannot carry.
-double forward_share(const OpticalColumn& column, int degrees) {
+/// Of the degrees that the default quality carries of a narrow peak, the first beyond.
+constexpr int kPeakDegree = 21;
+
+/// The largest share of a layer's scattering, among those that matter, that lies in forward peaks which those
+/// degrees cannot carry.
+double forward_share(const OpticalColumn& column) {
   double total = 0.0;
   std::vector<double> peak;
   for (const Scatterer& scatterer : column.scatterers) {
-    peak.push_back(scatterer.phase->moment(degrees + 1));
+    peak.push_back(scatterer.phase->moment(kPeakDegree));
     for (const double depth : scatterer.scattering_depth) total += depth;
   }
   double largest = 0.0;
@@ -49,8 +52,7 @@ double forward_share(const OpticalColumn& column, int degrees) {
 /// Delta-M takes forward peaks for unscattered light, which at the horizon, where the sky meets the ground,
 /// is put right for a peak of some per cent (L6) but not for one that holds most of the scattering: g = 0.95
 /// is 4 % too bright at 89.9 degrees, 0.99 26 %; 5 degrees from the horizon 1-2 %.
-void check_grazing_sights(std::span<const OpticalColumn> columns, std::span<const Sight> sights,
-                          int degrees) {
+void check_grazing_sights(std::span<const OpticalColumn> columns, std::span<const Sight> sights) {
   constexpr double kMostForward = 0.25;
   constexpr double kGrazing_deg = 5.0;
   const auto grazing = std::find_if(sights.begin(), sights.end(), [](const Sight& sight) {
@@ -58,7 +60,7 @@ void check_grazing_sights(std::span<const OpticalColumn> columns, std::span<cons
   });
   if (grazing == sights.end()) return;
   for (const OpticalColumn& column : columns)
-    if (const double share = forward_share(column, degrees); share > kMostForward)
+    if (const double share = forward_share(column); share > kMostForward)
       throw InputError(
           "view zenith {} deg: a forward peak of {:.0f} % of the scattering is right only for views 5 deg or "
           "more "
@@ -130,8 +132,7 @@ void check_request(const Shells& shells, std::span<const OpticalColumn> columns,
     throw InputError("memory limit {} bytes: must be >= 0 (0: by the machine)", options.most_memory_bytes);
   for (const Sight& sight : sights) check_sight(sight, shells.levels_km.back());
   // Order by order nothing is cut off.
-  if (options.scattering_orders == 0)
-    check_grazing_sights(columns, sights, options.discretisation.narrow_peak_degree);
+  if (options.scattering_orders == 0) check_grazing_sights(columns, sights);
 }
 
 }  // namespace skylut::transfer
