@@ -177,8 +177,9 @@ std::vector<std::vector<std::size_t>> parts_of(const std::vector<PlaneDirection>
 PlaneParallelResult solve(const OpticalColumn& column, const PlaneParallelRequest& request) {
   PlaneParallelResult result;
   const bool one_mode = most_modes(request) == 1;
-  result.streams =
-      request.streams != 0 ? request.streams : streams_for(column, most_streams(column, one_mode, request.polarised));
+  result.streams = request.streams != 0
+                       ? request.streams
+                       : streams_for(column, most_streams(column, one_mode, request.polarised));
   const ScaledMedium medium = scale_medium(column, request.output_depths, result.streams, request.polarised);
   refuse_too_much(medium, request);
   const auto parts = parts_of(request.directions, views_at_a_time(medium, request));

@@ -76,7 +76,11 @@ void solve_field(const Context& context, const Work& work, Block& block) {
       work.kernel.solve_block(block.grid->tables.view(), block.optics->view(), limits, block.iteration));
   if (block.iteration.end == IterationReport::kCancelled) throw Cancelled();
   if (!block.field)
-    throw WorkError("orders of scattering did not converge in {} iterations", kMostIterations);
+    throw WorkError(
+        "orders of scattering did not converge in {} iterations: clouds must be thinner, up to an optical "
+        "depth of "
+        "some 500 (thicker ones look much the same)",
+        kMostIterations);
 }
 
 namespace {

@@ -159,7 +159,7 @@ IterationReport DiffuseField<V, Sizes, kStokes>::solve(const IterationLimits& li
     report.end = IterationReport::kConverged;
     return report;
   }
-  Convergence<V> convergence(grid_);
+  Convergence<V> convergence(grid_, optics_);
   while (report.iterations < limits.max_iterations) {
     if (stops()) return report;
     ++report.iterations;

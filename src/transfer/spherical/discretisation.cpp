@@ -24,6 +24,15 @@ constexpr double kEarthRadius_km = 6371.0;
 /// even, and thick only where little is left of it (2 km at 20 km hold 1.5 %, all above 30 km 1.2 %).
 constexpr double kEvenShare = 0.019;
 
+/// A layer that needs more parts than this is thick: only towards its two boundaries does the light in it
+/// change over a free path. Further in, parts grow with the way to the nearer boundary, to twelve times the
+/// finest (at the default quality a depth of 0.3), and again where hardly any light gets (beyond a depth of
+/// 100).
+constexpr int kMostEqualParts = 50;
+constexpr double kGrowth = 0.05;
+constexpr double kCoarsest = 8.0;
+constexpr double kDeep = 2500.0;
+
 /// A medium that ends abruptly at the top of the atmosphere, as air does not: a low sun's depth begins like
 /// the square root of the way down. Where it is more than this in the uppermost sublayer, that is graded.
 constexpr double kMostDepthAlongTop = 0.25;
@@ -31,6 +40,29 @@ constexpr double kUppermostSublayer_km = 0.1;
 
 double layer_thickness(const Shells& shells, std::size_t layer) {
   return shells.levels_km[layer + 1] - shells.levels_km[layer];
+}
+
+double thickest_sublayer_km(const Shells& shells) {
+  return kThickestSublayer_km * shells.planet_radius_km / kEarthRadius_km;
+}
+
+/// Heights above the bottom of a thick layer where its parts begin and end, without the layer's own two.
+std::vector<double> graded_heights(double thickness_km, int parts, double thickest_km) {
+  const double finest_km = thickness_km / parts;
+  const double room = std::max(1.0, thickest_km / finest_km);
+  std::vector<double> lower;
+  double height = 1.0;  // in finest parts
+  double step = 1.0;
+  for (; height < 0.5 * parts; height += step) {
+    lower.push_back(height * finest_km);
+    const double coarsest = std::max(kCoarsest, kCoarsest + kGrowth * (height - kDeep));
+    step = std::min(std::clamp(kGrowth * height, 1.0, coarsest), room);
+  }
+  // No part in the middle thinner than half of its neighbours.
+  if (0.5 * thickness_km - lower.back() < 0.25 * step * finest_km) lower.pop_back();
+  std::vector<double> heights = lower;
+  for (auto below = lower.rbegin(); below != lower.rend(); ++below) heights.push_back(thickness_km - *below);
+  return heights;
 }
 
 /// Adds a level at every doubling of a height above the level, as far as a step leaves room.
@@ -47,6 +79,13 @@ std::vector<double> split_levels(const Shells& shells, const std::vector<int>& p
     if (layer == 0) add_graded(levels, bottom, kLowestSublayer_km, step, 1.0);
     if (grades_top && layer + 1 == parts.size())
       add_graded(levels, shells.levels_km.back(), kUppermostSublayer_km, step, -1.0);
+    if (parts[layer] > kMostEqualParts) {
+      for (const double height :
+           graded_heights(layer_thickness(shells, layer), parts[layer], thickest_sublayer_km(shells)))
+        levels.push_back(bottom + height);
+      levels.push_back(shells.levels_km[layer + 1]);
+      continue;
+    }
     for (int part = 1; part <= parts[layer]; ++part)
       levels.push_back(part == parts[layer] ? shells.levels_km[layer + 1] : bottom + part * step);
   }
@@ -76,7 +115,7 @@ constexpr double kMostParts = 1e8;
 /// Parts of every layer that keep a ray's curvature small. @see kThickestSublayer_km
 std::vector<int> parts_by_thickness(const Shells& shells, const std::vector<double>& scattering) {
   const double total = std::accumulate(scattering.begin(), scattering.end(), 0.0);
-  const double thickest_km = kThickestSublayer_km * shells.planet_radius_km / kEarthRadius_km;
+  const double thickest_km = thickest_sublayer_km(shells);
   std::vector<int> parts;
   for (std::size_t layer = 0; layer < scattering.size(); ++layer)
     parts.push_back(scattering[layer] > kEvenShare * total
@@ -206,6 +245,15 @@ DiscretisationKey discretisation_for(const LayerMerge& merge, const Discretisati
       std::sqrt(2.0 * std::min(merge.shells().planet_radius_km, kEarthRadius_km) * uppermost_km);
   key.grades_top = scattering.back() / key.sublayers.back() / uppermost_km * along_km > kMostDepthAlongTop;
   return key;
+}
+
+SublayerSizes sublayer_sizes(const Shells& merged, const DiscretisationKey& key) {
+  const std::vector<double> levels = split_levels(merged, key.sublayers, key.grades_top);
+  SublayerSizes sizes;
+  sizes.count = static_cast<double>(levels.size()) - 1.0;
+  for (std::size_t level = 0; level + 1 < levels.size(); ++level)
+    sizes.thickest_km = std::max(sizes.thickest_km, levels[level + 1] - levels[level]);
+  return sizes;
 }
 
 BeamGeometry::BeamGeometry(const CommonGrid& common, const ShellGeometry& sublayers) {

@@ -17,8 +17,9 @@ namespace skylut::transfer {
 /// columns: that is what makes results independent of the batch. Columns with equal keys share the
 /// geometry and may share a block of lanes.
 struct DiscretisationKey {
-  std::vector<int> sublayers;  ///< number of equal parts per merged layer
-  bool grades_top = false;     ///< thinner sublayers at the top, where the medium ends abruptly
+  /// Number of parts per merged layer; equal ones, or in thick layers the finest.
+  std::vector<int> sublayers;
+  bool grades_top = false;  ///< thinner sublayers at the top, where the medium ends abruptly
   AngularResolution angles;
   bool cuts_peak = false;    ///< delta-M takes a forward peak that matters at the horizon
   int polarised_degree = 0;  ///< highest degree of Q and U; 0: light is taken for unpolarised
@@ -32,6 +33,14 @@ struct DiscretisationKey {
 /// @param merge  the layers of the sweep
 DiscretisationKey discretisation_for(const LayerMerge& merge, const DiscretisationOptions& options,
                                      const OpticalColumn& column);
+
+/// How many sublayers a column is swept in, and how thick they get.
+struct SublayerSizes {
+  double count = 0.0;
+  double thickest_km = 0.0;
+};
+/// @param merged  the layers of the sweep
+SublayerSizes sublayer_sizes(const Shells& merged, const DiscretisationKey& key);
 
 /// The sunbeam at every point where the sweep needs it, under every sun node: at the levels, and in the
 /// middle of every piece of a sublayer that lies in one layer of the medium (a sublayer of merged layers has

@@ -25,8 +25,8 @@ constexpr double kMostBlock_cpu_s = 1800.0;
 constexpr double kMultiplication_s = 0.35e-9;
 
 /// The iteration needs some ten rounds in clear air and more where light is scattered often before it gets
-/// out.
-double iterations_for(double scattering_depth) { return std::min(200.0, 9.0 + 3.0 * scattering_depth); }
+/// out, but for DiffusionCorrection.
+double iterations_for(double scattering_depth) { return std::min(15.0, 9.0 + 3.0 * scattering_depth); }
 
 double count_of(const auto& list) { return static_cast<double>(list.size()); }
 
@@ -49,7 +49,8 @@ struct Sizes {
 Sizes sizes_of(const Work& work, const SunBand& band, const DiscretisationKey& key) {
   const AngularResolution& angles = key.angles;
   Sizes sizes{};
-  sizes.sublayers = std::accumulate(key.sublayers.begin(), key.sublayers.end(), 0.0) + 10.0;
+  const auto [sublayers, thickest_km] = sublayer_sizes(work.merge.shells(), key);
+  sizes.sublayers = sublayers + 3.0;
   sizes.sun_nodes = count_of(band.nodes_deg);
   sizes.polar = angles.polar_nodes;
   sizes.azimuths = angles.azimuth_nodes;
@@ -61,11 +62,6 @@ Sizes sizes_of(const Work& work, const SunBand& band, const DiscretisationKey& k
     sizes.polarised_moments += 2.0 * std::max(0, key.polarised_degree + 1 - std::max(m, 2));
   // A sublayer of thickness d has chords up to the cosine √(2d/R) at its upper side; the nodes are even in
   // √μ.
-  double thickest_km = 0.0;
-  for (std::size_t layer = 0; layer < key.sublayers.size(); ++layer)
-    thickest_km = std::max(thickest_km,
-                           (work.merge.shells().levels_km[layer + 1] - work.merge.shells().levels_km[layer]) /
-                               key.sublayers[layer]);
   const double cosine = std::sqrt(2.0 * thickest_km / work.shells.planet_radius_km);
   sizes.chord_nodes = std::min(sizes.polar, 1.0 + std::ceil(sizes.polar * std::sqrt(std::min(1.0, cosine))));
   return sizes;
@@ -100,8 +96,9 @@ double scratch_bytes(const Work& work, const Sizes& sizes) {
   const double fields = work.options.scattering_orders > 0 ? 3.0 : 1.0;
   const double stokes = sizes.polarised_moments > 0.0 ? 3.0 : 1.0;
   return lanes_bytes(work.kernel) * sizes.sun_nodes *
-         ((sizes.sublayers + 1.0) * (fields * (sizes.moments + sizes.polarised_moments) +
-                                     stokes * sizes.chord_nodes * sizes.azimuths + 6.0) +
+         ((sizes.sublayers + 1.0) *
+              (fields * (sizes.moments + sizes.polarised_moments) +
+               stokes * sizes.chord_nodes * sizes.azimuths + 6.0 + 2.0 * sizes.legendre_terms) +
           3.0 * stokes * sizes.directions() +
           sizes.horizon_levels * 2.0 * sizes.polar * sizes.azimuthal_orders);
 }
@@ -262,11 +259,9 @@ void refuse_too_much(const Work& work, const TransferCost& cost) {
   const double depth = largest_depth(work.columns);
   if (need > memory) {
     if (sublayers >= cost.rays_bytes && sublayers >= cost.results_bytes) {
-      // A depth splits what is left of the sublayers beside the least that there are.
-      const double least = std::min(count_of(work.merge.shells().levels_km) + 9.0, cost.most_sublayers - 1.0);
-      const double share = (memory - cost.rays_bytes - cost.results_bytes) / sublayers;
-      const double fits =
-          what_fits(depth, (share * cost.most_sublayers - least) / (cost.most_sublayers - least));
+      // The sublayers of a thick layer grow more slowly than its depth.
+      const double share = std::max(0.0, memory - cost.rays_bytes - cost.results_bytes) / sublayers;
+      const double fits = what_fits(depth, share * share * share);
       throw InputError(
           "optical depth {:.4g} in {} levels: its {:.3g} sublayers need about {} of memory, {}; an optical "
           "depth "

@@ -42,8 +42,8 @@ void expect_plane(const OpticalColumn& column, double relative, bool polarised =
   for (const double observer_km : kObservers_km)
     asked.output_depths.push_back(depth_above(column, observer_km));
   for (const RelativeView& view : kViews)
-    asked.directions.push_back({-std::cos(view.zenith_deg * kRadiansPerDegree),
-                                view.relative_azimuth_deg * kRadiansPerDegree});
+    asked.directions.push_back(
+        {-std::cos(view.zenith_deg * kRadiansPerDegree), view.relative_azimuth_deg * kRadiansPerDegree});
   for (std::size_t s = 0; s < kSuns_deg.size(); ++s) {
     asked.cos_sun_zenith = std::cos(kSuns_deg[s] * kRadiansPerDegree);
     const PlaneParallelResult plane = solve_plane_parallel(column, asked);
@@ -69,6 +69,61 @@ void expect_plane(const OpticalColumn& column, double relative, bool polarised =
   }
   testing::Test::RecordProperty("worst_percent", std::to_string(100.0 * worst));
   testing::Test::RecordProperty("rms_percent", std::to_string(100.0 * std::sqrt(sum / count)));
+}
+
+// A water cloud's depth in one layer, over a black and a bright ground, seen from below and from above:
+// within 0.7 % at a depth of 64, conservative or not (1 % is promised). The stop keeps its promise: its
+// changes are a hundred times smaller than what is left where nothing corrects them.
+TEST(PlaneLimit, Clouds) {
+  const Shells shells{{0.0, 1.0, 2.0, 20.0}, 6.4e7};
+  const auto droplets = std::make_shared<const HenyeyGreensteinPhaseFunction>(0.85);
+  const auto molecules = std::make_shared<const RayleighPhaseFunction>();
+  struct Cloud {
+    double depth;
+    double scattering_albedo;
+    double ground_albedo;
+  };
+  for (const auto& [depth, scattering_albedo, ground_albedo] :
+       {Cloud{64.0, 1.0, 0.8}, Cloud{64.0, 0.99, 0.0}}) {
+    const OpticalColumn column{
+        {0.02, depth, 0.1},
+        {{molecules, {0.02, 0.0, 0.1}}, {droplets, {0.0, scattering_albedo * depth, 0.0}}},
+        ground_albedo};
+    const SkyRadiance sky = test::solve(
+        shells, column, {{0.0, 20.0}, {30.0}, {{0.0, 0.0}, {60.0, 120.0}, {180.0, 0.0}, {120.0, 60.0}}});
+    PlaneParallelRequest asked;
+    asked.cos_sun_zenith = std::cos(30.0 * kRadiansPerDegree);
+    asked.output_depths = {depth + 0.12};
+    asked.directions = {{-1.0, 0.0}, {-0.5, 120.0 * kRadiansPerDegree}};
+    const auto from_below = solve_plane_parallel(column, asked).radiance;
+    asked.output_depths = {0.0};
+    asked.directions = {{1.0, 0.0}, {0.5, 60.0 * kRadiansPerDegree}};
+    const auto from_above = solve_plane_parallel(column, asked).radiance;
+    for (std::size_t v = 0; v < 2; ++v) {
+      EXPECT_NEAR(sky.at(0, 0, 0, v) / from_below[v], 1.0, 1e-2) << depth << " " << scattering_albedo << v;
+      EXPECT_NEAR(sky.at(0, 1, 0, v + 2) / from_above[v], 1.0, 1e-2)
+          << depth << " " << scattering_albedo << v;
+    }
+  }
+}
+
+// One layer of 120 km is the same medium as 120 of 1 km, to the last twilight.
+TEST(PlaneLimit, OneThickLayerIsManyThinOnes) {
+  const auto molecules = std::make_shared<const RayleighPhaseFunction>();
+  const Shells one{{0.0, 120.0}, 6371.0};
+  Shells many{{0.0}, 6371.0};
+  OpticalColumn thin{{}, {{molecules, {}}}, 0.2};
+  for (int level = 1; level <= 120; ++level) {
+    many.levels_km.push_back(level);
+    thin.extinction_depth.push_back(0.3 / 120.0);
+    thin.scatterers[0].scattering_depth.push_back(0.3 / 120.0);
+  }
+  const SkyRequest request{{0.0}, {60.0, 90.0, 96.0}, {{0.0, 0.0}, {60.0, 180.0}, {88.0, 90.0}}};
+  const SkyRadiance thick = test::solve(one, {{0.3}, {{molecules, {0.3}}}, 0.2}, request);
+  const SkyRadiance fine = test::solve(many, thin, request);
+  for (std::size_t s = 0; s < 3; ++s)
+    for (std::size_t v = 0; v < 3; ++v)
+      EXPECT_NEAR(thick.at(0, 0, s, v) / fine.at(0, 0, s, v), 1.0, 3e-3) << s << v;
 }
 
 // Discretisation at default quality: 0.1 % for a Rayleigh sky, 0.3 % with a forward peak (the cut-off share

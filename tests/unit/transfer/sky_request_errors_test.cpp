@@ -57,6 +57,15 @@ TEST(SkyRequestErrors, Suns) {
     expect_refused(spoiled([&](Question& q) { q.request.sun_zeniths_deg = {30.0, sun}; }), text, "0 to 99");
 }
 
+// Most of the scattering in a peak of a degree: right overhead, refused at the horizon.
+TEST(SkyRequestErrors, SharpPeaksAtTheHorizon) {
+  Question question;
+  question.column.scatterers = {{std::make_shared<const HenyeyGreensteinPhaseFunction>(0.95), {0.1, 0.05}}};
+  EXPECT_NO_THROW(test::solve(question.shells, question.column, question.request));
+  question.request.views = {{60.0, 90.0}, {89.9, 0.0}};
+  expect_refused(question, "89.9", "34 %");
+}
+
 TEST(SkyRequestErrors, Views) {
   for (const auto& [zenith, text] : {std::pair{181.0, "181"}, {-5.0, "-5"}, {kNan, "nan"}})
     expect_refused(spoiled([&](Question& q) { q.request.views.push_back({zenith, 0.0}); }), text, "0-180");
