@@ -10,6 +10,7 @@
 namespace skylut {
 
 std::optional<RefractedSun> refracted_sun(const SkyScene& scene) {
+  if (!scene.atmosphere) return std::nullopt;
   const Atmosphere& air = *scene.atmosphere;
   if (air.shells().refractivity.empty()) return std::nullopt;
   const double altitude_km = scene.altitudes_km.at(0);

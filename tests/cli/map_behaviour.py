@@ -89,7 +89,7 @@ class Map(unittest.TestCase):
         self.assertEqual(frames, [f"sky_{i:04}.exr" for i in range(1, len(frames) + 1)])
         self.assertEqual(names, ["sky.csv", *frames])
         self.assertIn(f"{24 - len(frames)} suns are more than 99 deg", screen)
-        self.assertIn(len(frames), (14, 15))  # equinox: 12 hours and two twilights of an hour
+        self.assertIn(len(frames), (13, 14))  # equinox: 12 hours and two twilights of 55 minutes
         noon = rows[[row["time"] for row in rows].index("2024-03-20T12:00:00Z")]
         self.assertAlmostEqual(float(noon["sun_zenith_deg"]), 48.85, delta=0.3)
         for row in rows:

@@ -154,7 +154,7 @@ class ProfileCase(unittest.TestCase):
                           "--view", "0:0,60:0,85:90")
         self.work.succeed("solve", "case.json", "-o", "solved.json")
         self.work.write("views.csv", "zenith_deg,azimuth_deg\n0,0\n60,180\n85,270\n")
-        self.work.succeed("map", "-o", "sky.csv", "--directions", "views.csv", "--wavelengths-nm", "550:555:5", *air,
+        self.work.succeed("map", "-o", "sky.csv", "--directions", "views.csv", "--wavelengths-nm", "550:555:5", "--scalar", *air,
                           warning="count only 550-555 nm")
         self.work.succeed("sun", "-o", "sun.csv", "--sun-zenith-deg", "60", "--wavelengths-nm", "550:555:5", "--no-diffuse",
                           warning="count only 550-555 nm")

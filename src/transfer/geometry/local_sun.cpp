@@ -7,6 +7,15 @@
 
 namespace skylut::transfer {
 
+namespace {
+
+/// Below, an azimuth from rounded cosines means nothing: of the view, whose cosine is its local one, and of
+/// view and sun multiplied.
+constexpr double kLeastViewSine = 1e-7;
+constexpr double kLeastSines = 1e-12;
+
+}  // namespace
+
 LocalSun::LocalSun(double planet_radius_km, const RayPoint& start, bool bends,
                    std::span<const SunAzimuth> pairs, const CubicInterpolation& suns, int azimuthal_orders)
     : planet_km_(planet_radius_km), bends_(bends), suns_(&suns), azimuthal_orders_(azimuthal_orders) {
@@ -55,9 +64,12 @@ LocalSun::Point LocalSun::locate(const RayPoint& point) const {
     // Azimuth of the light (it travels against the view) from that of the sunbeam, which equals the
     // azimuth of the view from that of the sun.
     const double sines = std::sqrt(1.0 - cos_sun * cos_sun) * local_sin_view;
+    // A vertical ray keeps the azimuth that was asked for: its own, from rounded cosines, would be any, and Q
+    // counts from it.
     const double cosine =
-        sines > 1e-12 ? std::clamp((local_cosines.scattering - cos_sun * point.cos_view) / sines, -1.0, 1.0)
-                      : pair.cos_azimuth;
+        sines > kLeastSines && local_sin_view > kLeastViewSine
+            ? std::clamp((local_cosines.scattering - cos_sun * point.cos_view) / sines, -1.0, 1.0)
+            : pair.cos_azimuth;
     double previous = 1.0;
     double current = cosine;
     double previous_sine = 0.0;

@@ -9,6 +9,7 @@
 #include "lanes.hpp"
 #include "polarised_transform.hpp"
 #include "slant_depth.hpp"
+#include "sweep_beam.hpp"
 
 // Multiple scattering of one block of lanes: successive orders on short characteristics, with the moments
 // of the diffuse radiance as the only unknowns. Reading order: solve, sweep_down, sweep_up, then what
@@ -26,13 +27,11 @@ class DiffuseField {
       : grid_(grid),
         sizes_(sizes),
         optics_(optics),
-        slant_depth_(slant_depth),
         hemisphere_{LaneArray<V>(count(grid.sublayers + 1, grid.moments)),
                     LaneArray<V>(count(grid.sublayers + 1, grid.moments))},
         polarised_{LaneArray<V>(polarised_index(grid.sublayers + 1, 0)),
                    LaneArray<V>(polarised_index(grid.sublayers + 1, 0))},
-        beam_mean_factor_(count(grid.sublayers, 1)),
-        beam_(count(grid.sublayers + 1, 1)),
+        beam_(grid, optics, slant_depth),
         radiance_(kStokes * count(1, directions())),
         upwind_(kStokes * count(1, directions())),
         local_source_(kStokes * count(1, directions())),
@@ -95,8 +94,6 @@ class DiffuseField {
     return load<V>(optics_.sweep_layers.extinction_per_km + layer * kLaneCount<V>);
   }
 
-  V beam_transmission(int point, int node) const;
-  void attenuate_beam();
   void sweep_down(LaneMask<V> active);
   void reflect_at_ground(LaneMask<V> active, bool by_order);
   void sweep_up(LaneMask<V> active);
@@ -107,16 +104,14 @@ class DiffuseField {
   const SweepView& grid_;
   const Sizes sizes_;
   const OpticsView& optics_;
-  const SlantDepthToSun<V>& slant_depth_;
   const V* source_moments_[2];  // that make the source: hemisphere_, or those of one order less
   const V* polarised_source_moments_[2];
-  LaneArray<V> hemisphere_[2];     // moments of each hemisphere [level][node][moment]
-  LaneArray<V> polarised_[2];      // of Q and U [level][node][Q, U][moment]
-  LaneArray<V> beam_mean_factor_;  // see attenuate_beam [sublayer][node]
-  LaneArray<V> beam_;              // transmission of the sunbeam [level][node]
-  LaneArray<V> radiance_;          // at the level the sweep has reached [Stokes][node][direction]
-  LaneArray<V> upwind_;            // interpolated in polar angle, at the start of the step
-  LaneArray<V> local_source_;      // source at the end of the step, then at its start
+  LaneArray<V> hemisphere_[2];  // moments of each hemisphere [level][node][moment]
+  LaneArray<V> polarised_[2];   // of Q and U [level][node][Q, U][moment]
+  SweepBeam<V> beam_;
+  LaneArray<V> radiance_;      // at the level the sweep has reached [Stokes][node][direction]
+  LaneArray<V> upwind_;        // interpolated in polar angle, at the start of the step
+  LaneArray<V> local_source_;  // source at the end of the step, then at its start
   LaneArray<V> chords_;  // downward radiance of grazing directions [Stokes][level][node][polar][azimuth]
   LaneArray<V> ground_irradiance_;
   LaneArray<StepWeights<V>> step_weights_;  // of the sublayer being crossed [polar]
@@ -135,7 +130,6 @@ IterationReport DiffuseField<V, Sizes, kStokes>::solve(const IterationLimits& li
     if (asked) report.end = IterationReport::kCancelled;
     return asked;
   };
-  attenuate_beam();
   LaneMask<V> active = V{} == V{};
   if (limits.scattering_orders > 0) {
     LaneArray<V> previous[2] = {LaneArray<V>(hemisphere_[kDown].size()),
@@ -176,44 +170,6 @@ IterationReport DiffuseField<V, Sizes, kStokes>::solve(const IterationLimits& li
   return report;
 }
 
-template <class V, class Sizes, int kStokes>
-V DiffuseField<V, Sizes, kStokes>::beam_transmission(int point, int node) const {
-  const SlantDepthWeights& weights = grid_.beam_weights[point * grid_.sun_nodes + node];
-  return weights.from_level == kShadow ? V{} : exp_minus(slant_depth_(weights));
-}
-
-/// Transmission of the sunbeam at every level, and what makes the mean of its two ends the mean over a
-/// sublayer. The source that a ray collects in the sublayer needs the mean of T over the optical depth,
-///   T̄ = Σ Δτ T / Σ Δτ, T in the middle of every piece of one layer; for one piece Simpson's (T₀ + 4T_½ +
-///   T₁)/6,
-/// while transport takes T as linear between the ends, of mean (T₀ + T₁)/2. Both are therefore multiplied by
-///   c = 2T̄/(T₀ + T₁). Without it a low sun is 1 % off. [M4]
-template <class V, class Sizes, int kStokes>
-void DiffuseField<V, Sizes, kStokes>::attenuate_beam() {
-  const int levels = grid_.sublayers + 1;
-  for (int node = 0; node < grid_.sun_nodes; ++node) {
-    V* level = beam_.data() + node;
-    for (int k = 0; k < levels; ++k) level[k * grid_.sun_nodes] = beam_transmission(k, node);
-    for (int k = 0; k < grid_.sublayers; ++k) {
-      V sum{};
-      V weights{};
-      for (int piece = grid_.first_piece[k]; piece < grid_.first_piece[k + 1]; ++piece) {
-        const V weight =
-            load<V>(optics_.layers.extinction_per_km + grid_.piece_layer[piece] * kLaneCount<V>) *
-                grid_.piece_thickness_km[piece] +
-            1e-30f;
-        sum += weight * beam_transmission(levels + piece, node);
-        weights += weight;
-      }
-      const V ends = level[k * grid_.sun_nodes] + level[(k + 1) * grid_.sun_nodes];
-      V mean = sum / weights;
-      if (grid_.first_piece[k + 1] - grid_.first_piece[k] == 1) mean = (4.0f * mean + ends) * (1.0f / 6.0f);
-      beam_mean_factor_.data()[k * grid_.sun_nodes + node] =
-          select<V>(ends > 1e-30f, 2.0f * mean / (ends + 1e-30f), V{});
-    }
-  }
-}
-
 /// Source J(μ,φ) of a sublayer's medium at one of its levels, in the first `polar_count` polar nodes, into
 /// local_source_. J = ω/4π ∫ P(Θ) (I + beam) dΩ' with P = Σ (2l+1) χ_l P_l(cosΘ), and by the addition theorem
 ///   P_l(cosΘ) = Σ_m (2-δ_m0) Λ_lm(μ) Λ_lm(μ') cos m(φ-φ'),
@@ -224,8 +180,7 @@ template <class V, class Sizes, int kStokes>
 void DiffuseField<V, Sizes, kStokes>::source(Hemisphere hemisphere, int sublayer, int level, int node,
                                              int polar_count) {
   const int layer = grid_.layer_of_sublayer[sublayer];
-  const V transmission = beam_.data()[level * grid_.sun_nodes + node] *
-                         beam_mean_factor_.data()[sublayer * grid_.sun_nodes + node];
+  const V transmission = beam_.at(level, node) * beam_.mean_factor(sublayer, node);
   const V* down = source_moments_[kDown] + moment_index(level, node);
   const V* up = source_moments_[kUp] + moment_index(level, node);
   const float* beam_moment = grid_.beam_moment + node * grid_.moments;
@@ -391,7 +346,7 @@ void DiffuseField<V, Sizes, kStokes>::reflect_at_ground(LaneMask<V> active, bool
     const V before = kept;
     kept = select<V>(active, irradiance, kept);
     const float cosine = grid_.sun_cosine[node];
-    const V direct = cosine > 0.0f ? beam_.data()[node] * cosine : V{};
+    const V direct = cosine > 0.0f ? beam_.at(0, node) * cosine : V{};
     const V reflected = albedo * ((by_order ? before : kept) + direct) * kInversePi;
     for (int d = 0; d < directions(); ++d) radiance[d] = reflected;
     for (int stokes = 1; stokes < kStokes; ++stokes)

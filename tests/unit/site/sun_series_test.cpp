@@ -23,12 +23,12 @@ TEST(SunSeries, IsTheSunAtEveryTime) {
   }
 }
 
-// At 48.85° N the equinox day has 12 h of sun and 2 × 36 min or so of civil twilight: 13.2 h above -6°.
+// At 48.85° N the equinox day has 12 h of sun and 2 × 55 min or so of twilight: 13.8 h above -9°.
 TEST(SunSeries, NightHasNoFramesAndIsCounted) {
   const SunSeries series =
       sun_series(kParis, times_of(parse_time_steps("2024-03-20T00:00Z/2024-03-20T23:50Z/10min")));
   EXPECT_EQ(series.frames.size() + series.too_dark, 144U);
-  EXPECT_NEAR(static_cast<double>(series.frames.size()), 13.2 * 6.0, 2.0);
+  EXPECT_NEAR(static_cast<double>(series.frames.size()), 13.8 * 6.0, 2.0);
   for (std::size_t k = 0; k < series.frames.size(); ++k) {
     EXPECT_LE(series.frames[k].sun.zenith_deg, 99.0);
     EXPECT_EQ(series.frames[k].index, k + 1);

@@ -124,7 +124,7 @@ TEST(SimulateSky, RefusesWhatItCannotDo) {
   refused([](SkyScene& scene) { scene.altitudes_km = {31.0}; });
   refused([](SkyScene& scene) { scene.altitudes_km = {-1.0}; });
   refused([](SkyScene& scene) { scene.altitudes_km = {std::nan("")}; });
-  refused([](SkyScene& scene) { scene.suns = {{97.0, 0.0}}; });
+  refused([](SkyScene& scene) { scene.suns = {{100.0, 0.0}}; });
   refused([](SkyScene& scene) { scene.directions = {{181.0, 0.0}}; });
   refused([](SkyScene& scene) { scene.directions.clear(); });
   refused([](SkyScene& scene) { scene.turbidities = {{TurbidityKind::aod500, -0.1}}; });

@@ -197,7 +197,7 @@ TEST(SunIrradiance, RefusesWhatItCannotDo) {
   const auto refused = [](const SkyScene& scene, const SunIrradianceOptions& options) {
     EXPECT_THROW(simulate_sun(test::context, scene, options, {}), InputError);
   };
-  refused(scene_at(97.0), {});
+  refused(scene_at(100.0), {});
   refused(scene_at(181.0), {false, 0.0});
   refused(scene_at(45.0), {true, 11.0});
   SkyScene two = scene_at(45.0);
