@@ -99,8 +99,8 @@ class SkyRadiance {
 /// nor on the number of threads: always the same bytes. Between kernels it agrees to rounding (1e-6); the
 /// same kernel gives the same bytes on every x86-64 machine.
 ///
-/// Accuracy in haze and clear air at the default quality: 0.7 % [docs/validation.md]; thick layers
-/// (optical depth of 10 and more) are several per cent off at draft [theory.md §5].
+/// Accuracy at the default quality: 0.7 % in haze, clear air and clouds of optical depth to 64
+/// [docs/validation.md, theory.md §5].
 ///
 /// @param context  kernel, threads, progress ("solving the radiative transfer") and cancel
 /// @param shells   levels and planet radius shared by all columns

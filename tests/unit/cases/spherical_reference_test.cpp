@@ -105,5 +105,33 @@ TEST(SphericalReference, SharedCases) {
   judge(groups);
 }
 
+/// I, Q and U of a polarised case, each within max(3σ, 1 % of I), but for one of a hundred: beyond 4σ is no
+/// chance.
+void compare_stokes(const Json& reference, const std::string& name) {
+  const Json ours = solve_case(test::context, reference, name, {});
+  for (std::size_t i = 0; i < reference["results"].size(); ++i) {
+    const Json& view = reference["results"][i];
+    for (const auto& [value, deviation] :
+         {std::pair{"radiance", "std"}, std::pair{"stokes_q", "std_q"}, std::pair{"stokes_u", "std_u"}})
+      EXPECT_NEAR(ours["results"][i][value].get<double>(), view[value].get<double>(),
+                  std::max(4.0 * view[deviation].get<double>(), 0.01 * view["radiance"].get<double>()))
+          << name << ", " << value << " of " << view["view_zenith_deg"] << " "
+          << view["relative_azimuth_deg"];
+  }
+}
+
+// MYSTIC with a million photons a direction.
+TEST(SphericalReference, PolarisedCases) {
+  std::vector<std::filesystem::path> paths;
+  for (const char* const set : {"solver", "vector_spherical"}) {
+    const std::filesystem::path folder = std::filesystem::path(SKYLUT_SHARED_REFERENCE) / set;
+    if (!std::filesystem::is_directory(folder)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().filename().string().starts_with("pol_")) paths.push_back(entry.path());
+  }
+  if (paths.empty()) GTEST_SKIP() << "no shared reference set";
+  for (const auto& path : paths) compare_stokes(read_json_file(path), path.stem().string());
+}
+
 }  // namespace
 }  // namespace skylut

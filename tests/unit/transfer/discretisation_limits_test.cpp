@@ -35,6 +35,7 @@ SkyRadiance solved(const DiscretisationOptions& discretisation, double depth, do
       {0.0, 0.3 * top_km}, {30.0, 91.0}, {{0.0, 0.0}, {31.0, 0.0}, {89.5, 120.0}, {100.0, 10.0}}};
   TransferOptions options;
   options.discretisation = discretisation;
+  options.discretisation.polarised_degree = 0;
   const OpticalColumn column = haze(depth);
   return solve_sky_radiance(test::context, shells, std::span(&column, 1), request, options);
 }
@@ -99,8 +100,7 @@ TEST(DiscretisationLimits, SunNodesHaveConverged) {
       {.rayleigh_depth = 0.1, .haze_depth = 0.1, .haze_scattering_albedo = 0.95, .ground_albedo = 0.2});
   const SkyRequest request{{0.0, 12.0}, {20.0, 75.0, 90.0, 94.0}, {{0.0, 0.0}, {60.0, 90.0}, {85.0, 0.0}}};
   const auto with_density = [&](int density) {
-    TransferOptions options;
-    options.discretisation = discretisation_of(Quality::draft);
+    TransferOptions options = test::unpolarised(Quality::draft);
     options.discretisation.sun_node_density = density;
     return solve_sky_radiance(test::context, test::earth(), std::span(&column, 1), request, options);
   };

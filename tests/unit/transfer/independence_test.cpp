@@ -30,7 +30,8 @@ const std::vector<OpticalColumn>& columns() {
 }
 
 SkyRadiance on_threads(int threads) {
-  return solve_sky_radiance(test::on_threads(threads), test::earth(), columns(), kRequest, {});
+  return solve_sky_radiance(test::on_threads(threads), test::earth(), columns(), kRequest,
+                            test::unpolarised());
 }
 
 /// All columns on one thread: what every other way of asking must repeat.

@@ -104,7 +104,7 @@ TEST(SkyBounds, OrdersAddUp) {
   const SkyRadiance all = test::solve(test::earth(), column, request);
   std::vector<SkyRadiance> sums;
   for (const int orders : {1, 2, 3, 5, 30}) {
-    TransferOptions options;
+    TransferOptions options = test::unpolarised();
     options.scattering_orders = orders;
     sums.push_back(solve_sky_radiance(test::context, test::earth(), std::span(&column, 1), request, options));
   }

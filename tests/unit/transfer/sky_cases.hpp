@@ -59,9 +59,18 @@ inline OpticalColumn column_of(const Air& air) {
   return column;
 }
 
+/// Unpolarised light, which costs half: for what is the same for polarised light, whose own tests are
+/// plane_limit_test and spherical_reference_test.
+inline TransferOptions unpolarised(Quality quality = Quality::standard) {
+  TransferOptions options;
+  options.discretisation = discretisation_of(quality);
+  options.discretisation.polarised_degree = 0;
+  return options;
+}
+
 inline SkyRadiance solve(const Shells& shells, std::span<const OpticalColumn> columns,
                          const SkyRequest& request) {
-  return solve_sky_radiance(test::context, shells, columns, request, {});
+  return solve_sky_radiance(test::context, shells, columns, request, unpolarised());
 }
 
 inline SkyRadiance solve(const Shells& shells, const OpticalColumn& column, const SkyRequest& request) {

@@ -54,8 +54,7 @@ TEST(Twilight, SmoothAndDarkening) {
   for (double sun = 84.0; sun <= 96.0; sun += 0.25) suns.push_back(sun);
   const OpticalColumn columns[] = {rayleigh(), hazy()};
   const SkyRequest request{kObservers_km, suns, kViews};
-  TransferOptions fine;
-  fine.discretisation = discretisation_of(Quality::reference);
+  const TransferOptions fine = test::unpolarised(Quality::reference);
   const SkyRadiance sky = test::solve(test::earth(), columns, request);
   const SkyRadiance reference = solve_sky_radiance(test::context, test::earth(), columns, request, fine);
   for (std::size_t c = 0; c < 2; ++c)
@@ -92,8 +91,7 @@ TEST(Twilight, NightIsNotNegative) {
       SkyRequest request{
           {0.0, top_km}, {}, {{0.0, 0.0}, {60.0, 0.0}, {60.0, 180.0}, {89.0, 90.0}, {120.0, 0.0}}};
       for (double sun = 90.0; sun <= 96.0; sun += 0.25) request.sun_zeniths_deg.push_back(sun);
-      TransferOptions options;
-      options.discretisation = discretisation_of(quality);
+      TransferOptions options = test::unpolarised(quality);
       const SkyRadiance sky =
           solve_sky_radiance(test::context, shells, std::span(&column, 1), request, options);
       for (std::size_t o = 0; o < 2; ++o)
